@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Optional ground for those without physics: triangle meshes, height fields and planes, asked with rays and swept
+// spheres. Knows nothing of feet: a probe and a hit are all it shares with the rest. Immutable once made, any number of
+// threads may cast at once. Results do not depend on the order of triangles but for ties, which go to the lower index.
+#ifndef SOLE_GROUND_H
+#define SOLE_GROUND_H
+
+#include "sole/types.h"
+
+/// Triangles. Both sides are solid for probes that come from outside; a face is met only from its front (counter
+/// clockwise, seen against the probe).
+typedef struct soleGroundMesh
+{
+	const float* vertices; // x, y, z of each vertex, world
+	int32_t vertexCount;
+	int32_t vertexStride;    // in bytes. default 12
+	const uint32_t* indices; // three a triangle
+	int32_t triangleCount;
+	/// Per triangle the layers it is on. NULL: all of them are on `layer`.
+	const uint32_t* triangleLayers;
+	uint32_t layer;  // default 1
+	int32_t surface; // what hits report. default SOLE_NONE
+	/// Also meet back faces: for meshes with careless winding. The reported normal is turned against the probe.
+	bool twoSided;
+} soleGroundMesh;
+
+/// Heights over a regular grid. The grid spans origin + i cellX axisX + j cellZ axisZ + height up, i < countX,
+/// j < countZ, axes orthonormal. Each cell is two triangles, split along the diagonal from (i, j) to (i + 1, j + 1).
+typedef struct soleHeightField
+{
+	soleVec3 origin;
+	soleVec3 axisX;
+	soleVec3 axisZ;
+	soleVec3 up;
+	float cellX; // > 0
+	float cellZ;
+	int32_t countX; // >= 2
+	int32_t countZ;
+	const float* heights; // countX * countZ, row by row along X; NaN is a hole
+	uint32_t layer;
+	int32_t surface;
+} soleHeightField;
+
+/// All points with dot( point, normal ) <= offset are solid.
+typedef struct soleGroundPlane
+{
+	soleVec3 normal; // unit
+	float offset;
+	uint32_t layer;
+	int32_t surface;
+} soleGroundPlane;
+
+/// Start from soleDefaultGroundDef(). The arrays are copied.
+typedef struct soleGroundDef
+{
+	const soleGroundMesh* meshes;
+	int32_t meshCount;
+	const soleHeightField* heightFields;
+	int32_t heightFieldCount;
+	const soleGroundPlane* planes;
+	int32_t planeCount;
+	int32_t internalValue;
+} soleGroundDef;
+
+typedef struct soleGround soleGround;
+
+SOLE_API soleGroundDef soleDefaultGroundDef( void );
+SOLE_API soleGroundMesh soleDefaultGroundMesh( void );
+SOLE_API soleHeightField soleDefaultHeightField( void );
+SOLE_API soleGroundPlane soleDefaultGroundPlane( void );
+
+/// Refuses vertices that are not finite and indices out of range; drops triangles without area.
+SOLE_API soleResult soleCreateGround(
+    const soleGroundDef* def, const soleAllocator* allocator, soleGround** ground, soleMessage* message );
+/// NULL is allowed.
+SOLE_API void soleDestroyGround( soleGround* ground );
+
+/// Nearest hit of one probe. A probe that is not finite or has no length misses.
+SOLE_API soleHit soleCastProbe( const soleGround* ground, const soleProbe* probe );
+
+/// The same for many: hits[i] answers probes[i].
+SOLE_API void soleCastProbes( const soleGround* ground, const soleProbe* probes, int32_t count, soleHit* hits );
+
+/// The box around everything but planes. Empty ground: lower above upper.
+SOLE_API void soleGround_GetBounds( const soleGround* ground, soleVec3* lower, soleVec3* upper );
+SOLE_API int32_t soleGround_GetTriangleCount( const soleGround* ground );
+
+#endif

@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: MIT
+// What goes into Sole and what comes out: rig definition, settings, frame, probe, hit, state, output.
+//
+// Spaces. Character space: the space of the pose's parentless joints. World: where the ground is. A frame's root takes
+// character space to world. Parent-local: the space of a joint's parent. Names carry _w for world and _l for
+// parent-local; geometry of definitions is in character space, in the bind pose.
+// Lengths in settings are shares of the leg length L (hip to ankle along the bones in the bind pose), so that one set
+// of settings serves every size; lengths in frames, probes, hits and output are the world's. Angles are radians.
+#ifndef SOLE_TYPES_H
+#define SOLE_TYPES_H
+
+#include "sole/math.h"
+
+#define SOLE_MAX_LEGS 16
+/// Joints of a leg from hip to ankle, both included.
+#define SOLE_MAX_LEG_JOINTS 7
+#define SOLE_MAX_TOE_JOINTS 3
+#define SOLE_MAX_PROBES_PER_LEG 20
+#define SOLE_MAX_PROBES ( SOLE_MAX_LEGS * SOLE_MAX_PROBES_PER_LEG )
+
+// ------------------------------------------------------------------------------------------------ rig definition
+
+/// Which side of the body a leg is on, seen from the character. Tells which edge of the sole is the inner one.
+typedef enum soleSide
+{
+	sole_center = 0,
+	sole_left = 1,
+	sole_right = 2,
+	sole_sideForce32 = 0x7fffffff
+} soleSide;
+
+/// Five points under a foot that stand on the ground when it stands flat. Character space, bind pose.
+typedef struct soleSolePoints
+{
+	soleVec3 heel;  // rearmost, middle of the width
+	soleVec3 ball;  // under the toe joint, middle of the width: where the foot bends and pivots
+	soleVec3 toe;   // foremost, middle of the width
+	soleVec3 inner; // edge on the ball line towards the other leg
+	soleVec3 outer; // the opposite edge
+} soleSolePoints;
+
+/// How far the foot may turn against the shin beyond the bind pose. Radians. A limit never forbids what the animation
+/// itself does.
+typedef struct soleAnkleLimits
+{
+	float dorsiflexion;   // toes up [0, 1.5] default 0.61 (35 degrees, weight bearing)
+	float plantarflexion; // toes down [0, 1.5] default 0.87 (50 degrees)
+	float inversion;      // sole inwards [0, 1.5] default 0.61 (35 degrees)
+	float eversion;       // sole outwards [0, 1.5] default 0.35 (20 degrees)
+	float twist;          // about the shin, either way [0, 1.5] default 0.52 (30 degrees)
+} soleAnkleLimits;
+
+/// One leg. Start from soleDefaultLegDef().
+typedef struct soleLegDef
+{
+	/// For messages. Copied (up to 31 bytes). May be NULL.
+	const char* name;
+	soleSide side;
+
+	/// Indices into the pose: hip, (middle joints), knee, ankle. Each is a descendant of the one before.
+	int32_t joints[SOLE_MAX_LEG_JOINTS];
+	/// [2, SOLE_MAX_LEG_JOINTS]; 2 with a virtual ankle means hip and knee.
+	int32_t jointCount;
+
+	/// Set where the last bone has no joint at its end: the chain then ends at virtualAnkle, fixed to the last joint.
+	bool hasVirtualAnkle;
+	soleVec3 virtualAnkle; // character space, bind pose
+
+	/// A foot that is not a descendant of the ankle, or SOLE_NONE. Such a foot is moved as well as turned.
+	int32_t detachedFoot;
+
+	/// Joints of the toe part, first the one at the ball. Descendants of the foot. Only the first is bent.
+	int32_t toes[SOLE_MAX_TOE_JOINTS];
+	int32_t toeCount; // [0, SOLE_MAX_TOE_JOINTS]
+
+	/// The axis about which the knee bends, such that a positive turn (right-hand rule on the axes as they are given)
+	/// carries the shin from straight to bent. Character space, bind pose, any length. Zero: taken from the bend of the
+	/// bind pose, refused where that is straight.
+	soleVec3 hinge;
+
+	soleSolePoints sole;
+	soleAnkleLimits ankleLimits;
+} soleLegDef;
+
+/// A skeleton and its legs. Start from soleDefaultRigDef(), fill in by hand or with soleDetectRig(). The arrays it
+/// points to are read by soleCreateRig() and not kept.
+typedef struct soleRigDef
+{
+	int32_t jointCount; // [1, 65535]
+	/// Per joint its parent or SOLE_NONE. Any order; cycles are refused.
+	const int32_t* parents;
+	/// Parent-local transforms, the pose in which all geometry of this definition is given.
+	const soleTransform* bindPose;
+	/// For messages. May be NULL, as may each.
+	const char* const* names;
+
+	/// The joint that carries the body and all hips. It is moved by the pelvis offset.
+	int32_t pelvis;
+
+	soleVec3 up;      // out of the floor; character space, unit default (0, 1, 0)
+	soleVec3 forward; // the way the character faces; character space, unit default (0, 0, 1)
+
+	soleLegDef legs[SOLE_MAX_LEGS];
+	int32_t legCount; // [1, SOLE_MAX_LEGS]
+
+	/// Tells a filled definition from a forgotten one. Do not set.
+	int32_t internalValue;
+} soleRigDef;
+
+/// Made by soleCreateRig(): immutable, shared by any number of characters and threads.
+typedef struct soleRig soleRig;
+
+// ------------------------------------------------------------------------------------------------------ settings
+
+/// What is cast at the ground.
+typedef enum soleProbeShape
+{
+	sole_probeRay = 0,
+	sole_probeSphere = 1,
+	sole_probeShapeForce32 = 0x7fffffff
+} soleProbeShape;
+
+/// How many probes a foot asks for.
+typedef enum soleProbeLayout
+{
+	sole_probeEconomy = 0, // 5: heel, arch, ball inner, ball outer, toe tip
+	sole_probeQuality = 1, // 18: nine rows of two
+	sole_probeSingle = 2,  // 1: under the ball, for distant characters
+	sole_probeLayoutForce32 = 0x7fffffff
+} soleProbeLayout;
+
+/// Every tunable. Plain data, may change every frame. Start from soleDefaultSettings(); a value out of its range is
+/// clamped into it. Names, units, ranges, defaults and one sentence each: soleGetSettingInfos().
+typedef struct soleSettings
+{
+	struct
+	{
+		soleProbeShape shape;   // [0, 1] default 0, ray
+		soleProbeLayout layout; // [0, 2] default 0, economy
+		float radius;           // of spheres. L [0.001, 0.3] default 0.05
+		float stepUp;           // start of a probe above the reference height. L [0.05, 2] default 0.45
+		float stepDown;         // end of a probe below the reference height. L [0.05, 4] default 0.55
+		uint32_t mask;          // layers that are asked for. default all
+	} probe;
+
+	struct
+	{
+		float maxSlope;       // steeper faces give height but no tilt. rad [0, 1.5] default 0.87 (50 degrees)
+		float levelGap;       // neighbouring probes further apart than 45 degrees plus this are on different levels. L
+		                      // [0, 0.5] default 0.022
+		float loadPoint;      // where the sole bears, from heel 0 to toe tip 1. [0, 1] default 0.5
+		float heightHalfLife; // decay of ground steps under a foot in flight. s [0, 1] default 0.045
+		float gradientHalfLife; // decay of changes of slope under a foot in flight. s [0, 1] default 0.05
+		float plantedHalfLife;  // decay of what is left of both once it is planted. s [0, 1] default 0.02
+	} support;
+
+	struct
+	{
+		float speedOn;         // slower than this may plant. L/s [0, 20] default 0.33
+		float speedOff;        // faster than this releases. L/s [0, 40] default 1.1
+		float heightOn;        // a sole point lower than this over the clip's floor may plant. L [0, 1] default 0.025
+		float heightOff;       // higher than this releases. L [0, 1] default 0.05
+		float lockDistance;    // a lock is given up further than this from the animation. L [0, 2] default 0.25
+		float lockAngle;       // or turned further than this. rad [0, 3] default 0.79 (45 degrees)
+		float captureHalfLife; // decay of what is left of the motion when a foot is locked. s [0, 1] default 0.05
+		float releaseHalfLife; // decay of the offset when it is let go. s [0, 1] default 0.08
+		float fadeIn;          // time in which a planted leg gets its full say in the pelvis. s [0, 1] default 0.12
+		float fadeOut;         // time in which a released leg loses it. s [0, 1] default 0.2
+	} contact;
+
+	struct
+	{
+		float align; // share of the ground's slope that a planted foot follows. [0, 1] default 1
+	} target;
+
+	struct
+	{
+		float down;     // furthest down. L [0, 1] default 0.45
+		float up;       // furthest up. L [0, 1] default 0.1
+		float halfLife; // s [0, 2] default 0.1
+		float rootJump; // a root that moves more than this beyond its own speed in a frame has jumped. L [0, 1]
+		                // default 0.02
+	} pelvis;
+
+	struct
+	{
+		float reach;    // furthest extension of a leg as a share of its bones. [0.5, 1] default 0.995
+		float softZone; // reach is approached softly over this much. L [0, 0.3] default 0.02
+		float fold;     // least extension as a share of its bones. [0, 0.9] default 0.2
+		float heelLift; // most that a heel is raised to reach. rad [0, 1.4] default 0.87 (50 degrees)
+	} leg;
+
+	struct
+	{
+		float toeUp;   // furthest bend of the toes up. rad [0, 1.5] default 1.13 (65 degrees)
+		float toeDown; // and down. rad [0, 1.5] default 0.26 (15 degrees)
+	} ankle;
+
+	/// Tells filled settings from forgotten ones. Do not set.
+	int32_t internalValue;
+} soleSettings;
+
+/// How a setting is stored.
+typedef enum soleSettingType
+{
+	sole_settingFloat = 0,
+	sole_settingEnum = 1, // int32
+	sole_settingMask = 2, // uint32
+	sole_settingTypeForce32 = 0x7fffffff
+} soleSettingType;
+
+/// One row of the table of settings: the one place of their names, units, ranges and defaults.
+typedef struct soleSettingInfo
+{
+	const char* name; // "stage.field", the same as in the struct and in JSON
+	const char* unit; // "L", "s", "rad", "L/s", "" for shares
+	soleSettingType type;
+	uint32_t offset; // in bytes, in soleSettings
+	double minimum;
+	double maximum;
+	double defaultValue;
+	const char* text; // one sentence
+} soleSettingInfo;
+
+// --------------------------------------------------------------------------------------------------------- frame
+
+/// What the host knows about a foot's contact this frame, from curves, events or labels.
+typedef struct soleContactInput
+{
+	/// 0 free .. 1 planted; below zero: not known, Sole decides by speed and height.
+	float heel;
+	float toe;
+} soleContactInput;
+
+/// One frame of one character. Only pose, root, up and timeStep have to be given; zero is a safe value for the rest
+/// but weight (0 switches Sole off).
+typedef struct soleFrame
+{
+	/// The animated pose: parent-local transforms, jointCount of the rig. Never the corrected pose of the last frame.
+	const soleTransform* pose;
+	/// Character space to world, rotation and uniform scale included.
+	soleTransform root;
+	/// Out of the ground, world, unit. A zero vector counts as the rig's up carried by the root.
+	soleVec3 up;
+	/// Seconds since the last frame. Zero changes nothing in the state; anything not finite or negative counts as zero.
+	float timeStep;
+	/// 0 leaves the pose as it is, 1 places the feet. [0, 1]
+	float weight;
+	/// Per leg, multiplied with weight. NULL: all 1. [0, 1]
+	const float* legWeight;
+	/// Per leg. NULL: nothing known.
+	const soleContactInput* contact;
+	/// Height of the clip's own floor over the character's origin, along the rig's up, character space.
+	float clipFloor;
+	/// Set when the character was moved by a jump that is no motion: all memory of the last frame is dropped.
+	bool teleport;
+	/// Where the origin of this frame's world coordinates is, in the host's own large world. A host without one leaves
+	/// it at zero. May change from frame to frame: what Sole remembers is moved along.
+	double worldOrigin[3];
+} soleFrame;
+
+// ------------------------------------------------------------------------------------------------ probes and hits
+
+/// A question about the ground: what is first met on the way from start along direction?
+typedef struct soleProbe
+{
+	soleVec3 start_w;
+	soleVec3 direction_w; // unit
+	float length;         // > 0. Furthest travel of the ray, or of the centre of the sphere
+	float radius;         // 0: a ray
+	uint32_t mask;        // layers that count
+	int16_t leg;
+	int16_t index; // which of the leg's probes
+} soleProbe;
+
+/// An answer. Zeroed memory is a valid miss.
+typedef struct soleHit
+{
+	/// Something was met.
+	bool hit;
+	/// The start lay inside something (sphere casts: it touched at once). point and normal are then those of the
+	/// nearest surface.
+	bool startedInside;
+	/// The layers of what was met.
+	uint32_t layer;
+	/// Whatever the host calls the body that was met; SOLE_NONE for the still world.
+	int32_t surface;
+	/// Where the surface was touched, world.
+	soleVec3 point_w;
+	/// Normal of the touched face, world, unit, against the probe's direction.
+	soleVec3 normal_w;
+	/// Velocity of the surface at the point, world.
+	soleVec3 velocity_w;
+	/// start_w of the probe that this answers; lets answers be late by a frame or more.
+	soleVec3 asked_w;
+} soleHit;
+
+// --------------------------------------------------------------------------------------------------------- state
+
+/// A spring that decays to zero: offset and its velocity.
+typedef struct soleOffset3
+{
+	soleVec3 value;
+	soleVec3 velocity;
+} soleOffset3;
+
+typedef struct soleOffset1
+{
+	float value;
+	float velocity;
+} soleOffset1;
+
+/// What Sole remembers of one leg. World positions are in the last frame's world coordinates.
+typedef struct soleLegState
+{
+	uint32_t flags;      // soleLegStateFlags, internal
+	float plantWeight;   // 0 free .. 1 has its full say in the pelvis
+	soleVec3 animHeel_w; // last animated sole points, for velocities
+	soleVec3 animBall_w;
+	soleVec3 lockPoint_w;   // where the locked sole point is held
+	soleVec3 lockForward_w; // the heading at which the foot was locked
+	soleVec3 planePoint_w;  // the support plane of the last frame
+	soleVec3 planeNormal_w;
+	soleOffset3 slide;    // horizontal offset of the foot from the animation
+	soleOffset1 turn;     // heading offset, tan( angle / 4 )
+	soleOffset1 height;   // what is left of ground steps
+	soleOffset3 gradient; // what is left of slope changes
+	float ground;         // 0 no ground .. 1 ground under this foot
+	float time;           // since the last change of contact, s
+} soleLegState;
+
+/// All memory of one character: plain data, copy to save, assign to roll back. soleState_GetByteCount() tells how
+/// many bytes from its start are in use for a rig.
+typedef struct soleState
+{
+	uint32_t frameCount; // frames since the last reset; 0: nothing is remembered
+	soleVec3 root_w;     // last position of the root
+	float rootSpeed;     // its last speed along up
+	soleOffset1 pelvis;  // offset of the pelvis along up over the root
+	double worldOrigin[3];
+	int32_t internalValue;
+	soleLegState legs[SOLE_MAX_LEGS];
+} soleState;
+
+// -------------------------------------------------------------------------------------------------------- output
+
+/// Why a leg is as it is.
+typedef enum soleLegFlags
+{
+	sole_legPlanted = 1 << 0,      // the foot is locked to the ground
+	sole_legNoGround = 1 << 1,     // no probe of this foot met anything
+	sole_legTooSteep = 1 << 2,     // the ground is steeper than maxSlope
+	sole_legOnEdge = 1 << 3,       // part of the sole hangs over a lower level
+	sole_legSoftened = 1 << 4,     // the soft reach limit was touched
+	sole_legOutOfReach = 1 << 5,   // the target could not be reached: see error
+	sole_legHeelLifted = 1 << 6,   // the heel was raised to reach
+	sole_legAnkleClamped = 1 << 7, // the ankle's range of motion was met
+	sole_legFolded = 1 << 8,       // the leg was as short as it may be
+	sole_legReleased = 1 << 9,     // a lock was given up this frame
+	sole_legCaptured = 1 << 10,    // a lock began this frame
+	sole_legDegenerate = 1 << 11,  // bones of no length or a target at the hip: the leg is passed through untouched
+	sole_legBadInput = 1 << 12,    // something not finite came in: the leg is passed through untouched
+	sole_legFlagsForce32 = 0x7fffffff
+} soleLegFlags;
+
+/// The new pose of one leg and what is worth knowing about it.
+typedef struct soleLegOutput
+{
+	uint32_t flags; // soleLegFlags
+	/// New parent-local rotations of the leg's joints, hip first, ankle last.
+	soleQuat rotations_l[SOLE_MAX_LEG_JOINTS];
+	/// New parent-local rotation of the first toe joint. Identity where there is none.
+	soleQuat toeRotation_l;
+	/// New parent-local place of a detached foot.
+	soleVec3 footTranslation_l;
+	soleQuat footRotation_l;
+	/// Where the ankle was wanted and where it is, world.
+	soleVec3 ankleTarget_w;
+	soleVec3 ankle_w;
+	/// The plane that carries the sole: a point under the ankle and the unit normal, world.
+	soleVec3 planePoint_w;
+	soleVec3 planeNormal_w;
+	/// How far the ankle is from where it was wanted.
+	float error;
+	/// Hip to ankle as a share of the bones' length.
+	float extension;
+	/// Height of the support under the ankle over the reference height: what a pose layer for high steps needs.
+	float heightDemand;
+	/// 0 free .. 1 planted, continuous.
+	float plantWeight;
+	/// How sure Sole is of the ground under this foot. [0, 1]
+	float confidence;
+} soleLegOutput;
+
+/// The new pose. Finite and usable whatever went in.
+typedef struct soleOutput
+{
+	/// Movement of the pelvis, world.
+	soleVec3 pelvisOffset_w;
+	/// New parent-local translation of the pelvis joint.
+	soleVec3 pelvisTranslation_l;
+	/// Legs that are filled in.
+	int32_t legCount;
+	soleLegOutput legs[SOLE_MAX_LEGS];
+} soleOutput;
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What every test file needs: cmocka in its order of inclusion, real data where it is there, small comparisons.
+#ifndef TEST_TEST_H
+#define TEST_TEST_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "sole/math.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/// Path of a file of the real data, or NULL where the data is not there: the test then says so and is skipped.
+static inline const char* testData( const char* name )
+{
+	static char path[1024];
+	snprintf( path, sizeof path, "%s/%s", SOLE_DATA_DIR, name );
+	FILE* file = fopen( path, "rb" );
+	if ( file == NULL )
+	{
+		return NULL;
+	}
+	fclose( file );
+	return path;
+}
+
+/// For tests over real data: skips the test, saying what was left out, where the file is not there.
+#define TEST_NEEDS_DATA( name )                                                                                        \
+	do                                                                                                                 \
+	{                                                                                                                  \
+		if ( testData( name ) == NULL )                                                                                \
+		{                                                                                                              \
+			print_message( "left out: %s is not there\n", name );                                                      \
+			skip();                                                                                                    \
+		}                                                                                                              \
+	} while ( 0 )
+
+static inline void testNear3( soleVec3 a, soleVec3 b, float tolerance )
+{
+	assert_float_equal( a.x, b.x, tolerance );
+	assert_float_equal( a.y, b.y, tolerance );
+	assert_float_equal( a.z, b.z, tolerance );
+}
+
+/// The same numbers in every run, on every machine: xorshift.
+static inline uint32_t testRandom( uint32_t* seed )
+{
+	uint32_t x = *seed;
+	x ^= x << 13;
+	x ^= x >> 17;
+	x ^= x << 5;
+	*seed = x;
+	return x;
+}
+
+/// Between low and high.
+static inline float testRandomFloat( uint32_t* seed, float low, float high )
+{
+	return low + ( high - low ) * ( (float)( testRandom( seed ) >> 8 ) / 16777216.0f );
+}
+
+#endif
