@@ -79,7 +79,7 @@ static inline soleHalf soleHalfFromAngle( float angle )
 	float x = 0.25f * soleClampF( angle, -3.14159265f, 3.14159265f );
 	float z = x * x;
 	float s = x * ( 1.0f - z * ( 1.0f / 6.0f - z * ( 1.0f / 120.0f - z * ( 1.0f / 5040.0f ) ) ) );
-	float c = 1.0f - z * ( 0.5f - z * ( 1.0f / 24.0f - z * ( 1.0f / 720.0f ) ) );
+	float c = 1.0f - z * ( 0.5f - z * ( 1.0f / 24.0f - z * ( 1.0f / 720.0f - z * ( 1.0f / 40320.0f ) ) ) );
 	return ( soleHalf ){ c * c - s * s, 2.0f * s * c };
 }
 
