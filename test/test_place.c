@@ -462,6 +462,46 @@ static bool quietHandler( const char* condition, const char* file, int line )
 	return false;
 }
 
+/// Largest turn of any leg joint between two placed poses, as 1 - |cos| of its half.
+static float largestTurn( const soleTransform* a, const soleTransform* b )
+{
+	float largest = 0.0f;
+	for ( int j = biped_hipL; j < biped_count; ++j )
+	{
+		largest = fmaxf( largest, 1.0f - fabsf( soleDotQuat( a[j].rotation, b[j].rotation ) ) );
+	}
+	return largest;
+}
+
+static void settledPoseIsContinuousInTheGround( void** state )
+{
+	(void)state;
+	testBiped biped;
+	testMakeBiped( &biped );
+	soleTransform pose[biped_count], placed[biped_count], last[biped_count];
+	memcpy( pose, biped.bindPose, sizeof pose );
+	for ( int bend = 0; bend < 3; ++bend )
+	{
+		testBendKnees( pose, 0.3f + 0.3f * (float)bend ); // nearly straight legs bend fast by geometry
+		for ( int sweep = 0; sweep < 3; ++sweep )
+		{
+			for ( int i = 0; i <= 200; ++i )
+			{
+				float x = -1.0f + 0.01f * (float)i;
+				Ground ground = flatGround;
+				ground.stepX = sweep == 0 ? 0.3f * x : 0.0f;
+				ground.slopeZ = sweep == 1 ? 0.6f * x : 0.0f;
+				ground.slopeX = sweep == 2 ? 0.5f * x : 0.1f;
+				stand( &biped, pose, soleTransform_Identity(), &ground, placed );
+				// 3 mm of step, 0.35 and 0.3 degrees of slope a time: no joint may turn by more than 2.8 degrees.
+				assert_true( i == 0 || largestTurn( placed, last ) < 3e-4f );
+				memcpy( last, placed, sizeof last );
+			}
+		}
+	}
+	soleDestroyRig( biped.rig );
+}
+
 static void misuseIsRefusedSafely( void** state )
 {
 	(void)state;
@@ -502,6 +542,7 @@ int main( void )
 		cmocka_unit_test( copiedStatesGiveTheSameBits ),
 		cmocka_unit_test( noTimeChangesNothing ),
 		cmocka_unit_test( movingTheWorldsOriginMovesNothing ),
+		cmocka_unit_test( settledPoseIsContinuousInTheGround ),
 		cmocka_unit_test( misuseIsRefusedSafely ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );

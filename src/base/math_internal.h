@@ -58,12 +58,10 @@ static inline soleHalf soleTwistHalf( soleQuat twist, soleVec3 axis )
 	return twist.w < 0.0f ? ( soleHalf ){ -twist.w, -s } : ( soleHalf ){ twist.w, s };
 }
 
-/// tan of a quarter of the angle: the form in which rotation offsets decay. [-1, 1]
+/// tan of a quarter of the angle, signed: the form in which rotation offsets decay. [-1, 1]
 static inline float soleQuarterTan( soleHalf half )
 {
-	float c = half.c < 0.0f ? -half.c : half.c;
-	float s = half.c < 0.0f ? -half.s : half.s;
-	return s / ( 1.0f + c );
+	return half.c < 0.0f ? -half.s / ( 1.0f - half.c ) : half.s / ( 1.0f + half.c );
 }
 
 static inline soleHalf soleHalfFromQuarterTan( float r )
