@@ -18,7 +18,7 @@ static double slowRay( const testMesh* mesh, int32_t triangle, soleVec3 start, s
 	*border = -1.0;
 	if ( fabs( determinant ) < 1e-12 )
 	{
-		return INFINITY;
+		return HUGE_VAL;
 	}
 	double b = testDot( s, p ) / determinant;
 	testPoint q = testCross( s, u );
@@ -31,7 +31,7 @@ static double slowRay( const testMesh* mesh, int32_t triangle, soleVec3 start, s
 static double slowCast( const testMesh* mesh, soleVec3 start, soleVec3 direction, double length, bool twoSided,
     int32_t* nearest, bool* sure )
 {
-	double best = INFINITY;
+	double best = HUGE_VAL;
 	*nearest = SOLE_NONE;
 	*sure = true;
 	for ( int32_t i = 0; i < mesh->triangleCount; ++i )

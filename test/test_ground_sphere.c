@@ -24,7 +24,7 @@ static double slowDistance( const testMesh* mesh, int32_t triangle, testPoint p 
 	testPoint n = testFaceNormal( mesh, triangle );
 	double height = testDot( testMinus( p, corners[0] ), n );
 	bool over = true;
-	double least = INFINITY;
+	double least = HUGE_VAL;
 	for ( int k = 0; k < 3; ++k )
 	{
 		testPoint a = corners[k];
@@ -37,7 +37,7 @@ static double slowDistance( const testMesh* mesh, int32_t triangle, testPoint p 
 
 static double slowMeshDistance( const testMesh* mesh, testPoint p )
 {
-	double least = INFINITY;
+	double least = HUGE_VAL;
 	for ( int32_t i = 0; i < mesh->triangleCount; ++i )
 	{
 		least = fmin( least, slowDistance( mesh, i, p ) );
@@ -64,7 +64,7 @@ static double slowSweep(
 		t += gap;
 	}
 	*sure = t > length + 1e-5;
-	return INFINITY;
+	return HUGE_VAL;
 }
 
 static void compareWithSlowSweep( uint32_t seed, const testMesh* mesh, bool fromAbove, float size, int32_t queryCount )
