@@ -82,8 +82,13 @@ static inline soleQuatd soleWidenQuat( soleQuat q )
 {
 	soleQuatd d = { (double)q.x, (double)q.y, (double)q.z, (double)q.w };
 	double length = sqrt( d.x * d.x + d.y * d.y + d.z * d.z + d.w * d.w );
+	if ( length < 1e-6 )
+	{
+		return ( soleQuatd ){ 0.0, 0.0, 0.0, 1.0 };
+	}
+	// What is not finite stays so, to be found.
 	double s = 1.0 / length;
-	return length > 1e-6 ? ( soleQuatd ){ s * d.x, s * d.y, s * d.z, s * d.w } : ( soleQuatd ){ 0.0, 0.0, 0.0, 1.0 };
+	return ( soleQuatd ){ s * d.x, s * d.y, s * d.z, s * d.w };
 }
 
 static inline soleQuatd soleMulQuatD( soleQuatd a, soleQuatd b )
