@@ -91,11 +91,18 @@ typedef struct toolTravel
 	float frameRate;    // of the clip's keys
 } toolTravel;
 
+/// Hip to ankle along the bones in the bind pose, the longest leg; character space.
+double toolLegLength( const toolCharacter* character );
+
 toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* bound );
 
 /// The looped in-place pose and the root's own travel since time 0 (identity for in-place clips) at a time that may be
 /// longer than the clip. The root's travel times the pose is the clip's own pose.
 void toolSampleLooped( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
     double time, soleTransform* pose, soleTransform* root );
+
+/// The root's travel alone.
+soleTransform toolSampleRoot(
+    const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel, double time );
 
 #endif

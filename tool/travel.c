@@ -220,7 +220,7 @@ static toolExcursion toolFindExcursion( const toolTracker* tracker )
 	return e;
 }
 
-static double toolLongestLeg( const toolCharacter* character )
+double toolLegLength( const toolCharacter* character )
 {
 	double longest = 0.0;
 	for ( int32_t i = 0; i < character->rigDef.legCount; ++i )
@@ -405,7 +405,7 @@ static void toolFindStrideAndFloor( const toolCharacter* character, const toolBo
 toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* bound )
 {
 	toolTravel travel = { .node = character->travel, .source = SOLE_NONE, .loop = soleTransform_Identity() };
-	double legLength = toolLongestLeg( character );
+	double legLength = toolLegLength( character );
 	travel.frameRate = toolFindFrameRate( bound );
 	travel.loops = bound->duration > 0.0f && toolDoesLoop( character, bound, legLength );
 	if ( bound->duration > 0.0f )
@@ -422,32 +422,65 @@ toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* 
 
 // ------------------------------------------------------------------------------------------------------ sampling
 
+// A time of the looped clip: which round it is in and when.
+typedef struct toolRoundTime
+{
+	double rounds; // that are over
+	double rest;   // time in this one
+} toolRoundTime;
+
+static toolRoundTime toolFindRound( const toolBoundClip* bound, const toolTravel* travel, double time )
+{
+	double duration = (double)bound->duration;
+	toolRoundTime t = { 0.0, 0.0 };
+	t.rounds = duration > 0.0 && time > 0.0 ? floor( time / duration + 1e-9 ) : 0.0;
+	t.rest = time - t.rounds * duration;
+	if ( travel->loops == false && t.rounds >= 1.0 && t.rest < 1e-6 )
+	{
+		// The end of a clip that does not loop is its last pose, not its first.
+		t.rounds -= 1.0;
+		t.rest = duration;
+	}
+	t.rest = fmin( fmax( t.rest, 0.0 ), duration );
+	return t;
+}
+
+static toolPlaneMotion toolRootAfter(
+    const toolTracker* tracker, toolTravelKind kind, toolRoundTime time, toolPlaneMotion inRound )
+{
+	if ( time.rounds < 1.0 )
+	{
+		return inRound;
+	}
+	toolPlaneMotion round = toolRootAt( tracker, kind, (double)tracker->bound->duration );
+	return toolMulPlane( toolPowerPlane( round, time.rounds ), inRound );
+}
+
+soleTransform toolSampleRoot(
+    const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel, double time )
+{
+	if ( travel->rootMotion == false )
+	{
+		return soleTransform_Identity();
+	}
+	toolTracker tracker = toolMakeTracker( character, bound, travel->source, travel->turns );
+	toolRoundTime t = toolFindRound( bound, travel, time );
+	toolPlaneMotion inRound = toolRootAt( &tracker, travel->kind, t.rest );
+	return toolPlaneTransform( &tracker, toolRootAfter( &tracker, travel->kind, t, inRound ) );
+}
+
 void toolSampleLooped( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
     double time, soleTransform* pose, soleTransform* root )
 {
-	double duration = (double)bound->duration;
-	double rounds = duration > 0.0 && time > 0.0 ? floor( time / duration + 1e-9 ) : 0.0;
-	double rest = time - rounds * duration;
-	if ( travel->loops == false && rounds >= 1.0 && rest < 1e-6 )
-	{
-		// The end of a clip that does not loop is its last pose, not its first.
-		rounds -= 1.0;
-		rest = duration;
-	}
-	rest = fmin( fmax( rest, 0.0 ), duration );
-	toolSampleClip( character, bound, (float)rest, pose );
+	toolRoundTime t = toolFindRound( bound, travel, time );
+	toolSampleClip( character, bound, (float)t.rest, pose );
 	*root = soleTransform_Identity();
 	if ( travel->rootMotion == false )
 	{
 		return;
 	}
 	toolTracker tracker = toolMakeTracker( character, bound, travel->source, travel->turns );
-	toolPlaneMotion inRound = toolRootAt( &tracker, travel->kind, rest );
-	toolPlaneMotion before = { { 0.0, 0.0 }, 0.0 };
-	if ( rounds > 0.0 )
-	{
-		before = toolPowerPlane( toolRootAt( &tracker, travel->kind, duration ), rounds );
-	}
+	toolPlaneMotion inRound = toolRootAt( &tracker, travel->kind, t.rest );
 	toolMovePose( character, pose, travel->node, toolPlaneTransform( &tracker, toolInvertPlane( inRound ) ) );
-	*root = toolPlaneTransform( &tracker, toolMulPlane( before, inRound ) );
+	*root = toolPlaneTransform( &tracker, toolRootAfter( &tracker, travel->kind, t, inRound ) );
 }
