@@ -295,9 +295,8 @@ static soleQuat toolLoadQuat( const float* v )
 	return soleNormalizeQuat( q );
 }
 
-static void toolSampleChannel( const toolChannel* channel, float time, float value[4] )
+static void toolSampleValue( const toolChannel* channel, float time, int width, float value[4] )
 {
-	int width = channel->path == tool_pathRotation ? 4 : 3;
 	int32_t key = toolFindKey( channel, time );
 	const float* v0 = toolKeyValue( channel, key, width );
 	memcpy( value, v0, (size_t)width * sizeof *value );
@@ -324,6 +323,17 @@ static void toolSampleChannel( const toolChannel* channel, float time, float val
 		{
 			value[i] = v0[i] + t * ( v1[i] - v0[i] );
 		}
+	}
+}
+
+void toolSampleChannel( const toolChannel* channel, float fileTime, float value[4] )
+{
+	bool rotation = channel->path == tool_pathRotation;
+	toolSampleValue( channel, fileTime, rotation ? 4 : 3, value );
+	if ( rotation )
+	{
+		soleQuat q = toolLoadQuat( value );
+		memcpy( value, ( float[4] ){ q.x, q.y, q.z, q.w }, 4 * sizeof *value );
 	}
 }
 

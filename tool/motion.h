@@ -58,6 +58,9 @@ void toolRestPose( const toolCharacter* character, soleTransform* pose );
 /// hold. Nodes that the clip does not move have their rest pose.
 void toolSampleClip( const toolCharacter* character, const toolBoundClip* bound, float time, soleTransform* pose );
 
+/// The value of a channel at a time of its file: 3 floats, or 4 of a unit quaternion. It has at least one key.
+void toolSampleChannel( const toolChannel* channel, float fileTime, float value[4] );
+
 /// A node in character space, without sampling the rest of the pose.
 soleTransform toolSampleNode( const toolCharacter* character, const toolBoundClip* bound, float time, int32_t node );
 
@@ -100,6 +103,15 @@ toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* 
 /// longer than the clip. The root's travel times the pose is the clip's own pose.
 void toolSampleLooped( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
     double time, soleTransform* pose, soleTransform* root );
+
+/// A time of the looped clip: how many rounds are over, and the time in this one.
+typedef struct toolRoundTime
+{
+	double rounds;
+	double rest;
+} toolRoundTime;
+
+toolRoundTime toolFindRound( const toolBoundClip* bound, const toolTravel* travel, double time );
 
 /// The root's travel alone.
 soleTransform toolSampleRoot(

@@ -290,6 +290,19 @@ static bool toolCarriesAllFeet( const toolCharacter* character, int32_t node )
 	return true;
 }
 
+// The node itself, or the first above it that all feet hang from.
+static int32_t toolFindCarrier( const toolCharacter* character, int32_t node )
+{
+	for ( int32_t i = node; i != SOLE_NONE; i = character->parents[i] )
+	{
+		if ( toolCarriesAllFeet( character, i ) )
+		{
+			return i;
+		}
+	}
+	return node;
+}
+
 // Decides whether and how the tracker's node travels.
 static bool toolDoesTravel( const toolTracker* tracker, double legLength, toolTravel* travel )
 {
@@ -330,14 +343,7 @@ static void toolFindRootMotion(
 	{
 		return;
 	}
-	for ( int32_t i = found.source; i != SOLE_NONE; i = character->parents[i] )
-	{
-		if ( toolCarriesAllFeet( character, i ) )
-		{
-			found.node = i;
-			break;
-		}
-	}
+	found.node = toolFindCarrier( character, found.source );
 	toolTracker tracker = toolMakeTracker( character, bound, found.source, found.turns );
 	toolPlaneMotion round = toolRootAt( &tracker, found.kind, (double)bound->duration );
 	found.loop = toolPlaneTransform( &tracker, round );
@@ -412,9 +418,10 @@ toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* 
 	{
 		toolFindRootMotion( character, bound, legLength, &travel );
 	}
-	if ( travel.node == SOLE_NONE )
+	if ( travel.rootMotion == false )
 	{
-		travel.node = character->rigDef.pelvis;
+		bool none = character->travel == SOLE_NONE;
+		travel.node = toolFindCarrier( character, none ? character->rigDef.pelvis : character->travel );
 	}
 	toolFindStrideAndFloor( character, bound, &travel );
 	return travel;
@@ -422,14 +429,7 @@ toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* 
 
 // ------------------------------------------------------------------------------------------------------ sampling
 
-// A time of the looped clip: which round it is in and when.
-typedef struct toolRoundTime
-{
-	double rounds; // that are over
-	double rest;   // time in this one
-} toolRoundTime;
-
-static toolRoundTime toolFindRound( const toolBoundClip* bound, const toolTravel* travel, double time )
+toolRoundTime toolFindRound( const toolBoundClip* bound, const toolTravel* travel, double time )
 {
 	double duration = (double)bound->duration;
 	toolRoundTime t = { 0.0, 0.0 };

@@ -42,6 +42,7 @@ typedef struct toolWalker
 	double speed;
 	double rate;
 	double step;      // m
+	double lift;      // of the character's origin over the ground, m
 	soleQuat upright; // character space to Y up, forward along +Z
 } toolWalker;
 
@@ -130,7 +131,8 @@ static void toolLayPath( toolWalker* walker, double distance )
 		double heading = def->heading * PI / 180.0;
 		double length = distance > 0.0 ? distance : 1.0;
 		toolPlace start = walker->places[0];
-		walker->places[1] = ( toolPlace ){ start.x + length * sin( heading ), (double)NAN, start.z + length * cos( heading ) };
+		walker->places[1] =
+		    ( toolPlace ){ start.x + length * sin( heading ), (double)NAN, start.z + length * cos( heading ) };
 		walker->lengths[1] = distance > 0.0 ? distance : 0.0;
 		walker->count = 2;
 	}
@@ -242,7 +244,7 @@ static soleTransform toolMakeRoot( const toolWalker* walker, const toolWalkState
 		root.rotation = soleMulQuat( root.rotation, own.rotation );
 	}
 	root.rotation = soleNormalizeQuat( root.rotation );
-	root.translation = soleVec( (float)place.x, (float)state->height, (float)place.z );
+	root.translation = soleVec( (float)place.x, (float)( state->height + walker->lift ), (float)place.z );
 	return root;
 }
 
@@ -378,6 +380,10 @@ bool toolMakeWalk( const toolWalkDef* def, toolWalk* walk, toolError* error )
 	toolWalker walker = { .def = def, .rate = 1.0 };
 	walker.upright = toolFindUpright( def->character );
 	walker.step = (double)TOOL_STEP_HEIGHT * toolLegLength( def->character );
+	// Where the origin is at the hips, say, the clip's floor stands on the ground; small differences are the clip's
+	// own.
+	double floorHeight = (double)def->travel->clipFloor;
+	walker.lift = fabs( floorHeight ) > 0.1 * toolLegLength( def->character ) ? -floorHeight : 0.0;
 	toolFindSpeed( &walker );
 	toolLayPath( &walker, def->distance );
 	double duration = toolFindDuration( &walker, walker.lengths[walker.count - 1] );
