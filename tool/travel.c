@@ -369,7 +369,7 @@ static float toolFindFrameRate( const toolBoundClip* bound )
 	return (float)( best < 10.0 ? 30.0 : fmin( best, 240.0 ) );
 }
 
-// Stride and floor, from the clip moved as it claims to move: only then do standing feet stand.
+// Stride and floor, from one round of the clip.
 static void toolFindStrideAndFloor( const toolCharacter* character, const toolBoundClip* bound, toolTravel* travel )
 {
 	if ( character->rig == NULL )
@@ -398,10 +398,6 @@ static void toolFindStrideAndFloor( const toolCharacter* character, const toolBo
 	if ( travel->rootMotion == false )
 	{
 		travel->strideVelocity = soleFindStrideVelocity( &motion );
-		for ( int32_t i = 0; i < count; ++i )
-		{
-			roots[i].translation = soleScale( (float)i / travel->frameRate, travel->strideVelocity );
-		}
 	}
 	travel->clipFloor = soleFindClipFloor( &motion );
 	free( poses );
