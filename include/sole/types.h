@@ -325,8 +325,10 @@ typedef struct soleLegState
 	soleOffset1 turn;     // heading offset, tan( angle / 4 )
 	soleOffset1 height;   // what is left of ground steps
 	soleOffset3 gradient; // what is left of slope changes
-	float ground;         // 0 no ground .. 1 ground under this foot
-	float time;           // since the last change of contact, s
+	float heelRise;       // their heights over the clip's floor
+	float ballRise;
+	float ground; // 0 no ground .. 1 ground under this foot
+	float time;   // since the last change of contact, s
 } soleLegState;
 
 /// All memory of one character: plain data, copy to save, assign to roll back. soleState_GetByteCount() tells how
