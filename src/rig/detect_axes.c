@@ -1,0 +1,489 @@
+// SPDX-License-Identifier: MIT
+// Which way is up, which way the character faces, what its pelvis is and about which axis its knees bend.
+// Character space, bind pose.
+#include "detect_internal.h"
+
+#include <math.h>
+
+#define DEGREE 0.017453293f
+#define SNAP_UP 0.82f     // cosine of 35 degrees: a body may lean
+#define SNAP_FACING 0.97f // cosine of 15 degrees
+#define POSE_LIMIT 64
+
+static const soleVec3 soleAxes[6] = { { 0.0f, 1.0f, 0.0f }, { 0.0f, 0.0f, 1.0f }, { 1.0f, 0.0f, 0.0f },
+	{ 0.0f, -1.0f, 0.0f }, { 0.0f, 0.0f, -1.0f }, { -1.0f, 0.0f, 0.0f } };
+static const char* const soleAxisNames[6] = { "+Y", "+Z", "+X", "-Y", "-Z", "-X" };
+
+static int32_t soleFindAxis( soleVec3 direction )
+{
+	int32_t best = 0;
+	for ( int32_t i = 1; i < 6; ++i )
+	{
+		if ( soleDot( soleAxes[i], direction ) > soleDot( soleAxes[best], direction ) )
+		{
+			best = i;
+		}
+	}
+	return best;
+}
+
+static bool soleIsGiven( soleVec3 v )
+{
+	return soleVec3_IsFinite( v ) && soleLength( v ) > 1e-6f;
+}
+
+static soleVec3 soleFootToHip( const soleDetect* detect )
+{
+	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		const soleFoundLeg* leg = detect->legs + i;
+		sum = soleMulAdd( sum, 1.0f / detect->size, soleSub( detect->position[leg->joints[0]], leg->ankle ) );
+	}
+	return soleNormalizeOr( sum, soleVec( 0.0f, 0.0f, 0.0f ) );
+}
+
+void soleFindUp( soleDetect* detect )
+{
+	soleVec3 legs = soleFootToHip( detect );
+	if ( soleIsGiven( detect->skeleton->up ) )
+	{
+		detect->up = soleNormalizeOr( detect->skeleton->up, soleAxes[0] );
+		if ( detect->legCount <= 2 && soleDot( legs, detect->up ) < 0.5f )
+		{
+			soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE, "check the up axis of the export",
+			    "the hips are not above the feet along the given up axis: in the bind pose they lie towards %s",
+			    soleAxisNames[soleFindAxis( legs )] );
+		}
+		return;
+	}
+	if ( soleIsGiven( detect->up ) )
+	{
+		return; // the structure told
+	}
+	int32_t axis = soleFindAxis( legs );
+	float along = soleDot( legs, soleAxes[axis] );
+	detect->up = along >= SNAP_UP ? soleAxes[axis] : soleNormalizeOr( legs, soleAxes[axis] );
+	if ( along >= SNAP_UP )
+	{
+		soleAddFinding( detect, sole_info, SOLE_NONE, SOLE_NONE, "",
+		    "up is %s: in the bind pose the hips are above the feet along it", soleAxisNames[axis] );
+		return;
+	}
+	soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE, "tell the up axis",
+	    "up is (%.2f, %.2f, %.2f), from feet to hips: no axis is within 35 degrees of that", (double)detect->up.x,
+	    (double)detect->up.y, (double)detect->up.z );
+}
+
+// ---------------------------------------------------------------------------------------------------------- facing
+
+/// Where the toes point, summed over the legs, along the floor, in leg lengths.
+static soleVec3 soleSumToes( const soleDetect* detect )
+{
+	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		const soleFoundLeg* leg = detect->legs + i;
+		int32_t toe =
+		    leg->tip != SOLE_NONE ? leg->tip : ( leg->toeCount > 0 ? leg->toes[leg->toeCount - 1] : SOLE_NONE );
+		soleVec3 from = detect->position[soleFoundLeg_GetFoot( leg )];
+		if ( toe != SOLE_NONE )
+		{
+			sum = soleMulAdd( sum, 1.0f / leg->length, soleSub( detect->position[toe], from ) );
+		}
+	}
+	return soleReject( sum, detect->up );
+}
+
+/// The same from the skin: a foot is longer in front of the ankle than behind it.
+static soleVec3 soleSumFeet( const soleDetect* detect )
+{
+	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
+	for ( int32_t i = 0; i < detect->legCount && detect->dominant != NULL; ++i )
+	{
+		const soleFoundLeg* leg = detect->legs + i;
+		int32_t foot = soleFoundLeg_GetFoot( leg );
+		soleVec3 low = soleVec( 1e30f, 1e30f, 1e30f );
+		soleVec3 high = soleNeg( low );
+		for ( int32_t v = 0; v < detect->skeleton->skinCount; ++v )
+		{
+			soleVec3 p = soleSub( detect->skeleton->skin[v].position, leg->ankle );
+			if ( detect->dominant[v] == foot && soleDot( p, detect->up ) <= 0.0f )
+			{
+				low = soleVec( soleMinF( low.x, p.x ), soleMinF( low.y, p.y ), soleMinF( low.z, p.z ) );
+				high = soleVec( soleMaxF( high.x, p.x ), soleMaxF( high.y, p.y ), soleMaxF( high.z, p.z ) );
+			}
+		}
+		if ( low.x <= high.x )
+		{
+			sum = soleMulAdd( sum, 1.0f / leg->length, soleAdd( low, high ) );
+		}
+	}
+	return soleReject( sum, detect->up );
+}
+
+/// From the right hips to the left ones, along the floor.
+static soleVec3 soleSumSides( const soleDetect* detect )
+{
+	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		const soleFoundLeg* leg = detect->legs + i;
+		float sign = leg->side == sole_left ? 1.0f : ( leg->side == sole_right ? -1.0f : 0.0f );
+		if ( detect->legCount > 1 )
+		{
+			sum = soleMulAdd( sum, sign / detect->size, detect->position[leg->joints[0]] );
+		}
+	}
+	return soleReject( sum, detect->up );
+}
+
+/// The nearest axis that is level, where it is near.
+static soleVec3 soleSnapFacing( const soleDetect* detect, soleVec3 facing )
+{
+	int32_t axis = soleFindAxis( facing );
+	soleVec3 level = soleReject( soleAxes[axis], detect->up );
+	return soleDot( facing, soleAxes[axis] ) >= SNAP_FACING && soleLength( level ) > 0.99f
+	    ? soleNormalizeOr( level, facing )
+	    : facing;
+}
+
+static soleVec3 soleChooseForward( soleDetect* detect, const char** reason )
+{
+	const float least = 0.03f;
+	soleVec3 zero = soleVec( 0.0f, 0.0f, 0.0f );
+	soleVec3 toes = soleSumToes( detect );
+	soleVec3 pointing = soleLength( toes ) > least ? toes : soleSumFeet( detect );
+	pointing = soleLength( pointing ) > least ? soleNormalizeOr( pointing, zero ) : zero;
+	soleVec3 sides = soleNormalizeOr( soleSumSides( detect ), zero );
+	soleVec3 across = soleNormalizeOr( soleCross( sides, detect->up ), zero );
+	bool named = detect->legs[0].sideFromName;
+	if ( soleIsGiven( pointing ) && soleIsGiven( across ) )
+	{
+		float agree = soleDot( pointing, across );
+		if ( agree < -0.5f && named )
+		{
+			soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE,
+			    "fine for left-handed axes; else check the sides in the names or mirror the export",
+			    "the toes point one way, left and right in the names say the other: the toes are believed" );
+		}
+		if ( agree > 0.5f || agree < -0.5f )
+		{
+			*reason = named ? "where the toes point, square to the line from right to left hip"
+			                : "where the toes point, square to the line between the hips";
+			return agree > 0.0f ? across : soleNeg( across );
+		}
+		if ( detect->legCount <= 2 )
+		{
+			soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE, "tell the facing",
+			    "the toes do not point square to the line between the hips" );
+		}
+	}
+	if ( soleIsGiven( pointing ) )
+	{
+		*reason = "where the toes point";
+		return pointing;
+	}
+	if ( soleIsGiven( across ) && named )
+	{
+		*reason = "square to the line from right to left hip; no toes tell more";
+		return across;
+	}
+	soleVec3 guess = soleIsGiven( across ) ? across : soleReject( soleAxes[1], detect->up );
+	soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE, "tell the facing",
+	    "neither toes nor names tell which way the character faces: this is a guess" );
+	*reason = "a guess";
+	return soleNormalizeOr( guess, soleAnyOrthogonal( detect->up ) );
+}
+
+/// Sides of legs that no name tells: left is where up x forward points.
+static void soleAssignSides( soleDetect* detect )
+{
+	soleVec3 middle = soleVec( 0.0f, 0.0f, 0.0f );
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		middle = soleMulAdd( middle, 1.0f / (float)detect->legCount, detect->position[detect->legs[i].joints[0]] );
+	}
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		soleFoundLeg* leg = detect->legs + i;
+		if ( leg->sideFromName == false && detect->legCount > 1 )
+		{
+			float along = soleDot( soleSub( detect->position[leg->joints[0]], middle ), detect->lateral );
+			leg->side = along > 0.0f ? sole_left : sole_right;
+		}
+	}
+}
+
+/// Front legs first, left before right: so that names and order do not hang on the order of joints.
+static void soleSortLegs( soleDetect* detect )
+{
+	for ( int32_t i = 1; i < detect->legCount; ++i )
+	{
+		soleFoundLeg leg = detect->legs[i];
+		float front = soleDot( detect->position[leg.joints[0]], detect->forward );
+		int32_t j = i;
+		while ( j > 0 )
+		{
+			const soleFoundLeg* other = detect->legs + j - 1;
+			float otherFront = soleDot( detect->position[other->joints[0]], detect->forward );
+			bool level = fabsf( front - otherFront ) < 0.05f * leg.length || detect->legCount <= 2;
+			if ( level ? other->side <= leg.side : otherFront > front )
+			{
+				break;
+			}
+			detect->legs[j] = detect->legs[j - 1];
+			j -= 1;
+		}
+		detect->legs[j] = leg;
+	}
+}
+
+void soleFindForward( soleDetect* detect )
+{
+	const char* reason = "as given";
+	if ( soleIsGiven( detect->skeleton->forward ) &&
+	    soleLength( soleReject( soleNormalizeOr( detect->skeleton->forward, soleAxes[1] ), detect->up ) ) > 0.1f )
+	{
+		detect->forward = soleNormalizeOr( soleReject( detect->skeleton->forward, detect->up ), soleAxes[1] );
+		soleVec3 toes = soleNormalizeOr( soleSumToes( detect ), detect->forward );
+		if ( soleDot( toes, detect->forward ) < 0.0f )
+		{
+			soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE, "check the facing that was given",
+			    "the toes point the other way than the given facing" );
+		}
+	}
+	else
+	{
+		detect->forward = soleSnapFacing( detect, soleChooseForward( detect, &reason ) );
+	}
+	detect->lateral = soleNormalizeOr( soleCross( detect->up, detect->forward ), soleAnyOrthogonal( detect->up ) );
+	soleAssignSides( detect );
+	soleSortLegs( detect );
+	soleAddFinding( detect, sole_info, SOLE_NONE, SOLE_NONE, "", "faces (%.2f, %.2f, %.2f), nearest to %s: %s",
+	    (double)detect->forward.x, (double)detect->forward.y, (double)detect->forward.z,
+	    soleAxisNames[soleFindAxis( detect->forward )], reason );
+}
+
+// ---------------------------------------------------------------------------------------------------------- pelvis
+
+/// How much of the body above the hips hangs below this joint, and how much in all.
+static void soleWeighBody( soleDetect* detect, int32_t pelvis, float hipHeight, float* inside, float* whole )
+{
+	*inside = 0.0f;
+	*whole = 0.0f;
+	for ( int32_t k = 0; k < detect->jointCount; ++k )
+	{
+		int32_t joint = detect->order[k];
+		int32_t parent = detect->parents[joint];
+		detect->ints[joint] = joint == pelvis || ( parent != SOLE_NONE && detect->ints[parent] != 0 ) ? 1 : 0;
+		if ( soleDot( detect->position[joint], detect->up ) <= hipHeight )
+		{
+			continue;
+		}
+		float weight = detect->dominant != NULL ? (float)detect->skinnedCount[joint] : 1.0f;
+		*whole += weight;
+		*inside += detect->ints[joint] != 0 ? weight : 0.0f;
+	}
+}
+
+void soleFindPelvis( soleDetect* detect )
+{
+	int32_t pelvis = detect->parents[detect->legs[0].joints[0]];
+	float hipHeight = -1e30f;
+	float length = 0.0f;
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		int32_t hip = detect->legs[i].joints[0];
+		while ( pelvis != SOLE_NONE && ( hip == pelvis || soleDetect_IsBelow( detect, hip, pelvis ) == false ) )
+		{
+			pelvis = detect->parents[pelvis];
+		}
+		hipHeight = soleMaxF( hipHeight, soleDot( detect->position[hip], detect->up ) );
+		length = soleMaxF( length, detect->legs[i].length );
+	}
+	if ( pelvis == SOLE_NONE )
+	{
+		detect->pelvis = detect->legs[0].joints[0];
+		soleAddFinding( detect, sole_error, SOLE_NONE, SOLE_NONE, "put all legs below one joint",
+		    "no joint carries all hips: the pelvis can't be moved" );
+		return;
+	}
+	int32_t lowest = pelvis;
+	float inside = 0.0f;
+	float whole = 0.0f;
+	// The spine may hang beside the joint that carries the hips: then both hang from one further up.
+	soleWeighBody( detect, pelvis, hipHeight + 0.2f * length, &inside, &whole );
+	for ( int32_t i = 0; i < SOLE_DETECT_WALK && inside < 0.5f * whole && detect->parents[pelvis] != SOLE_NONE; ++i )
+	{
+		pelvis = detect->parents[pelvis];
+		soleWeighBody( detect, pelvis, hipHeight + 0.2f * length, &inside, &whole );
+	}
+	detect->pelvis = pelvis;
+	soleAddFinding( detect, sole_info, SOLE_NONE, pelvis, "", "is the pelvis: %s",
+	    pelvis == lowest ? "the lowest joint that carries all hips, and the body above them"
+	                     : "the lowest joint that carries all hips and the body above them too" );
+}
+
+// ---------------------------------------------------------------------------------------------------------- hinges
+
+/// Sine of the bend times the axis that carries the thigh's direction to the shin's.
+static soleVec3 soleBendAxis( soleVec3 hip, soleVec3 knee, soleVec3 ankle )
+{
+	soleVec3 zero = soleVec( 0.0f, 0.0f, 0.0f );
+	soleVec3 thigh =
+	    soleNormalizeOr( soleScale( 1.0f / ( 1e-12f + soleDistance( hip, knee ) ), soleSub( knee, hip ) ), zero );
+	soleVec3 shin =
+	    soleNormalizeOr( soleScale( 1.0f / ( 1e-12f + soleDistance( knee, ankle ) ), soleSub( ankle, knee ) ), zero );
+	return soleCross( thigh, shin );
+}
+
+/// A joint's place in a sample pose. False where the pose is not finite.
+static bool soleSampleJoint( const soleDetect* detect, const soleTransform* pose, int32_t joint, soleTransform* world )
+{
+	*world = pose[joint];
+	world->rotation = soleNormalizeQuat( world->rotation );
+	for ( int32_t above = detect->parents[joint]; above != SOLE_NONE; above = detect->parents[above] )
+	{
+		soleTransform local = pose[above];
+		local.rotation = soleNormalizeQuat( local.rotation );
+		*world = soleMulTransform( local, *world );
+	}
+	return soleVec3_IsFinite( world->translation ) && soleLength( world->translation ) < 1e15f &&
+	    soleQuat_IsFinite( world->rotation );
+}
+
+/// The axis about which the knee bends in the clips, carried to the bind pose; its length grows with the evidence.
+static soleVec3 soleSampleHinge( const soleDetect* detect, const soleFoundLeg* leg )
+{
+	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
+	int32_t count = detect->skeleton->samplePoses != NULL ? detect->skeleton->poseCount : 0;
+	if ( leg->hasVirtualAnkle || leg->jointCount < 3 )
+	{
+		return sum;
+	}
+	int32_t hip = leg->joints[leg->jointCount - 3];
+	int32_t step = count > POSE_LIMIT ? count / POSE_LIMIT : 1;
+	for ( int32_t i = 0; i < count; i += step )
+	{
+		const soleTransform* pose = detect->skeleton->samplePoses + (size_t)i * (size_t)detect->jointCount;
+		soleTransform world[3];
+		bool good = true;
+		for ( int32_t k = 0; k < 3; ++k )
+		{
+			good = soleSampleJoint( detect, pose, leg->joints[leg->jointCount - 3 + k], world + k ) && good;
+		}
+		if ( good )
+		{
+			soleVec3 axis = soleBendAxis( world[0].translation, world[1].translation, world[2].translation );
+			sum = soleAdd( sum, soleInvRotate( soleNormalizeQuat( world[0].rotation ), axis ) );
+		}
+	}
+	return soleRotate( detect->rotation[hip], sum );
+}
+
+soleVec3 soleFindHinge( soleDetect* detect, int32_t index )
+{
+	const soleFoundLeg* leg = detect->legs + index;
+	int32_t knee = leg->jointCount - ( leg->hasVirtualAnkle ? 1 : 2 );
+	soleVec3 zero = soleVec( 0.0f, 0.0f, 0.0f );
+	soleVec3 bend = zero;
+	if ( knee >= 1 )
+	{
+		bend = soleBendAxis( detect->position[leg->joints[knee - 1]], detect->position[leg->joints[knee]], leg->ankle );
+	}
+	soleVec3 bindAxis = soleNormalizeOr( bend, zero );
+	float degrees = asinf( soleMinF( soleLength( bend ), 1.0f ) ) / DEGREE;
+	// Only two-legged walkers have knees that are known to bend about the lateral axis.
+	bool biped = detect->legCount == 2 && leg->jointCount <= 3;
+	float side = soleDot( bindAxis, detect->lateral );
+	if ( degrees >= 2.0f && ( biped == false || side > 0.82f || ( side < -0.82f && degrees > 12.0f ) ) )
+	{
+		soleAddFinding( detect, side < -0.82f && biped ? sole_warning : sole_info, index, SOLE_NONE,
+		    side < -0.82f && biped ? "fine for a bird's leg; else bend the knee forward in the bind pose" : "",
+		    "hinge from the bind pose: the knee is bent %.0f degrees%s", (double)degrees,
+		    side < -0.82f && biped ? " backwards" : "" );
+		return bindAxis;
+	}
+	soleVec3 sampled = soleSampleHinge( detect, leg );
+	soleVec3 sampledAxis = soleNormalizeOr( sampled, zero );
+	if ( soleLength( sampled ) > 0.2f && ( biped == false || soleDot( sampledAxis, detect->lateral ) > 0.7f ) )
+	{
+		soleAddFinding( detect, sole_info, index, SOLE_NONE, "",
+		    "hinge from the clips: the bind pose has the knee straight or bent sideways (%.1f degrees)",
+		    (double)degrees );
+		return sampledAxis;
+	}
+	if ( biped && degrees >= 2.0f )
+	{
+		soleAddFinding( detect, sole_warning, index, SOLE_NONE, "bend the knee a little forward in the bind pose",
+		    "the knee is bent %.0f degrees sideways or backwards in the bind pose: hinge taken square to the facing",
+		    (double)degrees );
+	}
+	else
+	{
+		soleAddFinding( detect, sole_info, index, SOLE_NONE, "",
+		    "hinge square to the facing: the knee is straight in the bind pose (%.1f degrees)", (double)degrees );
+	}
+	return detect->lateral;
+}
+
+// ---------------------------------------------------------------------------------------------------------- checks
+
+static void soleCheckLeg( soleDetect* detect, int32_t index )
+{
+	const soleFoundLeg* leg = detect->legs + index;
+	for ( int32_t i = 1; i < leg->jointCount; ++i )
+	{
+		float bone = soleDistance( detect->position[leg->joints[i - 1]], detect->position[leg->joints[i]] );
+		if ( bone < 0.01f * leg->length )
+		{
+			soleAddFinding( detect, sole_warning, index, leg->joints[i], "move the joint or leave it out",
+			    "the bone that ends at %s has next to no length", soleLabelJoint( detect, leg->joints[i] ).text );
+		}
+	}
+	soleVec3 hip = detect->position[leg->joints[0]];
+	float straight = soleDistance( hip, leg->ankle );
+	if ( straight < 0.3f * leg->length && detect->legCount <= 2 )
+	{
+		soleAddFinding( detect, sole_warning, index, SOLE_NONE, "check the joints that were chosen",
+		    "hip and ankle are close together in the bind pose: is this a leg?" );
+	}
+	if ( leg->jointCount == 3 && leg->hasVirtualAnkle == false )
+	{
+		float thigh = soleDistance( hip, detect->position[leg->joints[1]] );
+		float shin = leg->length - thigh;
+		if ( thigh > 2.5f * shin || shin > 2.5f * thigh )
+		{
+			soleAddFinding( detect, sole_warning, index, SOLE_NONE, "check the joints that were chosen",
+			    "thigh %.3g and shin %.3g differ much in length", (double)thigh, (double)shin );
+		}
+	}
+}
+
+void soleCheckLegs( soleDetect* detect )
+{
+	int32_t left = SOLE_NONE;
+	int32_t right = SOLE_NONE;
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		soleCheckLeg( detect, i );
+		left = detect->legs[i].side == sole_left ? i : left;
+		right = detect->legs[i].side == sole_right ? i : right;
+	}
+	if ( detect->legCount == 1 )
+	{
+		soleAddFinding(
+		    detect, sole_warning, 0, SOLE_NONE, "check the names of the other leg's joints", "only one leg was found" );
+	}
+	if ( detect->legCount == 2 && left != SOLE_NONE && right != SOLE_NONE )
+	{
+		float a = detect->legs[left].length;
+		float b = detect->legs[right].length;
+		if ( fabsf( a - b ) > 0.03f * ( a + b ) )
+		{
+			soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE, "check the joints that were chosen",
+			    "the left leg is %.3g long, the right one %.3g", (double)a, (double)b );
+		}
+	}
+}

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// What the steps of detection share: a skeleton made ready for looking at, the legs found so far, and the report.
+// Everything is in character space, in the bind pose. Set-up code: libm is allowed, nothing here runs per frame.
+#ifndef SOLE_RIG_DETECT_INTERNAL_H
+#define SOLE_RIG_DETECT_INTERNAL_H
+
+#include "sole/detect.h"
+
+/// A human leg in metres. Lengths that are known for humans are turned to other sizes by the ratio of leg lengths.
+#define SOLE_HUMAN_LEG 0.9f
+
+/// Walks along parents stop here: hostile files have chains of any depth, legs don't.
+#define SOLE_DETECT_WALK 64
+
+/// What a name says of a joint.
+typedef enum soleNamePart
+{
+	sole_partNone = 0,
+	sole_partPelvis,
+	sole_partHip,
+	sole_partLeg, // the shin in "LeftUpLeg, LeftLeg", the thigh in "LeftLeg, LeftKnee"
+	sole_partKnee,
+	sole_partAnkle,
+	sole_partToe,
+	sole_partOther, // known and no part of a leg chain: buttock, hip joint, heel
+	sole_partForce32 = 0x7fffffff
+} soleNamePart;
+
+typedef struct soleJointName
+{
+	soleNamePart part;
+	soleSide side;
+	uint32_t word; // hash of the word that named the part
+	bool end;      // the name says that it only marks the end of a bone
+	bool control;  // the name says that it is a helper: twist, IK target
+} soleJointName;
+
+/// A leg on its way to a soleLegDef.
+typedef struct soleFoundLeg
+{
+	int32_t joints[SOLE_MAX_LEG_JOINTS];
+	int32_t jointCount;
+	int32_t toes[SOLE_MAX_TOE_JOINTS];
+	int32_t toeCount;
+	int32_t tip; // a joint at the toes' end that is no toe joint, or SOLE_NONE
+	int32_t detachedFoot;
+	bool hasVirtualAnkle;
+	soleVec3 ankle; // of the ankle joint or virtual
+	soleSide side;
+	bool sideFromName;
+	int32_t partner; // the leg on the other side, or SOLE_NONE
+	float length;    // along the bones, hip to ankle
+} soleFoundLeg;
+
+typedef struct soleDetect
+{
+	const soleSkeleton* skeleton;
+	soleDetectReport* report;
+	int32_t jointCount;
+	const int32_t* parents;
+
+	int32_t* order;        // parents before children
+	int32_t* childCount;   // per joint
+	soleVec3* position;    // per joint
+	soleQuat* rotation;    // per joint
+	soleJointName* names;  // per joint
+	int32_t* skinnedCount; // per joint: vertices that it moves most
+	float* floats;         // three per joint, scratch of the step at work
+	int32_t* ints;         // one per joint, likewise
+	void* memory;
+	size_t memoryBytes;
+
+	/// Vertices of the skin that are usable, the joint that moves each most, and room for three floats each.
+	int32_t* dominant;
+	float* vertexFloats;
+	void* skinMemory;
+	size_t skinMemoryBytes;
+
+	float size; // largest extent of the joints
+
+	soleVec3 up;
+	soleVec3 forward;
+	soleVec3 lateral; // up x forward: to the left on right-handed axes
+	bool standing;    // the bind pose has both feet flat at the same height
+	float floor;      // height of what it stands on, told by joints
+	int32_t pelvis;
+	soleFoundLeg legs[SOLE_MAX_LEGS];
+	int32_t legCount;
+	bool byNames;
+} soleDetect;
+
+/// Adds a finding. leg and joint may be SOLE_NONE; where is made from them. mend may be empty.
+void soleAddFinding(
+    soleDetect* detect, soleSeverity severity, int32_t leg, int32_t joint, const char* mend, const char* format, ... )
+#if defined( __GNUC__ )
+    __attribute__( ( format( printf, 6, 7 ) ) )
+#endif
+    ;
+
+/// The name of a joint for messages: "joint 12" where it has none.
+typedef struct soleJointLabel
+{
+	char text[48];
+} soleJointLabel;
+soleJointLabel soleLabelJoint( const soleDetect* detect, int32_t joint );
+const char* soleNameLeg( const soleDetect* detect, int32_t leg );
+
+/// Whether joint is ancestor or hangs below it.
+bool soleDetect_IsBelow( const soleDetect* detect, int32_t joint, int32_t ancestor );
+/// The joint that ends the leg: detached foot, ankle, or the last one where the ankle is virtual.
+int32_t soleFoundLeg_GetFoot( const soleFoundLeg* leg );
+void soleFoundLeg_Measure( const soleDetect* detect, soleFoundLeg* leg );
+soleFoundLeg soleEmptyLeg( void );
+
+// detect_names.c
+void soleParseNames( soleDetect* detect );
+void soleFindLegsByRoles( soleDetect* detect );
+void soleFindLegsByNames( soleDetect* detect );
+
+// detect_structure.c
+void soleFindLegsByStructure( soleDetect* detect );
+
+// detect_axes.c
+void soleFindUp( soleDetect* detect );
+void soleFindForward( soleDetect* detect );
+void soleFindPelvis( soleDetect* detect );
+void soleCheckLegs( soleDetect* detect );
+/// The axis about which a knee bends.
+soleVec3 soleFindHinge( soleDetect* detect, int32_t leg );
+
+// detect_toes.c
+/// Toe joints and tip below the ankle.
+void soleFindToes( soleDetect* detect, int32_t leg );
+
+// detect_sole.c
+/// Where the skin ends below a leg without an ankle joint.
+void soleFindVirtualAnkle( soleDetect* detect, int32_t leg );
+void soleFindStanding( soleDetect* detect );
+soleSolePoints soleFindSole( soleDetect* detect, int32_t leg );
+
+#endif

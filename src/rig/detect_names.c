@@ -1,0 +1,614 @@
+// SPDX-License-Identifier: MIT
+// Legs by what joints are called. A name is cut into lower-case words at separators, digits and changes of case; words
+// for a side and words that rigs put before every name are taken out; what is left is looked up.
+#include "detect_internal.h"
+
+#include <string.h>
+
+#define WORD_LIMIT 16
+#define TEXT_LIMIT 96
+#define SLOT_COUNT 1024
+#define CANDIDATE_LIMIT 64
+
+typedef struct soleWords
+{
+	char text[TEXT_LIMIT + WORD_LIMIT]; // words, each ended by 0
+	int32_t starts[WORD_LIMIT];
+	int32_t count;
+} soleWords;
+
+/// Words that stand first or last in many names of this skeleton: some rig's mark, not a part. Counted by hash.
+typedef struct soleMarks
+{
+	int32_t first[SLOT_COUNT];
+	int32_t last[SLOT_COUNT];
+	int32_t named;
+} soleMarks;
+
+typedef struct solePartWord
+{
+	const char* word;
+	soleNamePart part;
+} solePartWord;
+
+static const solePartWord solePartWords[] = {
+	{ "hips", sole_partPelvis },
+	{ "pelvis", sole_partPelvis },
+	{ "hip", sole_partHip },
+	{ "upleg", sole_partHip },
+	{ "upperleg", sole_partHip },
+	{ "legupper", sole_partHip },
+	{ "legup", sole_partHip },
+	{ "thigh", sole_partHip },
+	{ "thighbone", sole_partHip },
+	{ "femur", sole_partHip },
+	{ "upperlimb", sole_partNone },
+	{ "leg", sole_partLeg },
+	{ "lowerleg", sole_partKnee },
+	{ "lowleg", sole_partKnee },
+	{ "leglower", sole_partKnee },
+	{ "leglow", sole_partKnee },
+	{ "shin", sole_partKnee },
+	{ "shinbone", sole_partKnee },
+	{ "calf", sole_partKnee },
+	{ "knee", sole_partKnee },
+	{ "tibia", sole_partKnee },
+	{ "shank", sole_partKnee },
+	{ "crus", sole_partKnee },
+	{ "foot", sole_partAnkle },
+	{ "ankle", sole_partAnkle },
+	{ "footbase", sole_partAnkle },
+	{ "toe", sole_partToe },
+	{ "toes", sole_partToe },
+	{ "toebase", sole_partToe },
+	{ "ball", sole_partToe },
+	{ "football", sole_partToe },
+	{ "footthumb", sole_partToe },
+	{ "foottoe", sole_partToe },
+	{ "foottoes", sole_partToe },
+	{ "bigtoe", sole_partToe },
+	{ "toebig", sole_partToe },
+	{ "hipjoint", sole_partOther },
+	{ "buttock", sole_partOther },
+	{ "heel", sole_partOther },
+	{ "footheel", sole_partOther },
+};
+
+static const char* const soleLeftWords[] = { "l", "left", "lt", "lft" };
+static const char* const soleRightWords[] = { "r", "right", "rt", "rgt" };
+static const char* const soleEndWords[] = { "end", "nub", "tip", "leaf", "site", "endsite", "effector", "eff" };
+static const char* const soleControlWords[] = { "ik", "fk", "mch", "org", "ctrl", "ctl", "control", "controller",
+	"target", "pole", "tweak", "twist", "roll", "helper", "driver", "aim", "vis", "socket", "attach", "offset",
+	"corrective", "jiggle" };
+static const char* const soleMarkWords[] = { "j", "b", "bip", "biped", "valvebiped", "def", "deform", "mixamorig",
+	"avatar", "armature", "rig", "jnt", "joint", "bone", "bn", "bind", "skin", "sk", "cc", "base", "character", "char",
+	"skel", "skeleton" };
+
+#define IS_ONE_OF( word, list ) soleIsOneOf( word, list, sizeof( list ) / sizeof( ( list )[0] ) )
+
+static bool soleIsOneOf( const char* word, const char* const* list, size_t count )
+{
+	for ( size_t i = 0; i < count; ++i )
+	{
+		if ( strcmp( word, list[i] ) == 0 )
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
+static uint32_t soleHashWord( const char* word )
+{
+	uint32_t hash = 2166136261u;
+	for ( ; *word != 0; ++word )
+	{
+		hash = ( hash ^ (uint8_t)*word ) * 16777619u;
+	}
+	return hash;
+}
+
+// The locale has no say in names.
+static bool soleIsUpper( char c )
+{
+	return c >= 'A' && c <= 'Z';
+}
+
+static bool soleIsLower( char c )
+{
+	return ( c >= 'a' && c <= 'z' ) || ( (uint8_t)c >= 0x80 );
+}
+
+static bool soleIsLetter( char c )
+{
+	return soleIsUpper( c ) || soleIsLower( c );
+}
+
+/// What stands behind the last namespace mark, if anything does.
+static const char* soleSkipNamespace( const char* name )
+{
+	const char* start = name;
+	for ( const char* c = name; *c != 0; ++c )
+	{
+		if ( ( *c == ':' || *c == '|' || *c == '/' ) && soleIsLetter( c[1] ) )
+		{
+			start = c + 1;
+		}
+	}
+	return start;
+}
+
+static soleWords soleCutWords( const char* name )
+{
+	soleWords words = { 0 };
+	int32_t used = 0;
+	int32_t length = 0; // of the word at work
+	const char* text = soleSkipNamespace( name );
+	for ( int32_t i = 0; text[i] != 0 && i < TEXT_LIMIT; ++i )
+	{
+		char c = text[i];
+		if ( soleIsLetter( c ) == false )
+		{
+			length = 0;
+			continue;
+		}
+		bool cut = length > 0 && soleIsUpper( c ) && ( soleIsLower( text[i - 1] ) || soleIsLower( text[i + 1] ) );
+		if ( length == 0 || cut )
+		{
+			if ( words.count == WORD_LIMIT )
+			{
+				break;
+			}
+			used += used > 0 ? 1 : 0;
+			words.starts[words.count] = used;
+			words.count += 1;
+			length = 0;
+		}
+		words.text[used] = soleIsUpper( c ) ? (char)( c - 'A' + 'a' ) : c;
+		used += 1;
+		length += 1;
+	}
+	return words;
+}
+
+static const solePartWord* soleFindPart( const char* word )
+{
+	for ( size_t i = 0; i < sizeof( solePartWords ) / sizeof( solePartWords[0] ); ++i )
+	{
+		if ( strcmp( word, solePartWords[i].word ) == 0 )
+		{
+			return solePartWords + i;
+		}
+	}
+	return NULL;
+}
+
+static soleSide soleFindSide( const char* word )
+{
+	if ( IS_ONE_OF( word, soleLeftWords ) )
+	{
+		return sole_left;
+	}
+	return IS_ONE_OF( word, soleRightWords ) ? sole_right : sole_center;
+}
+
+/// "lthigh", "leftupleg", "thighl", "footright": a side grown together with a part.
+static const solePartWord* soleFindSidedPart( const char* word, soleSide* side )
+{
+	size_t length = strlen( word );
+	static const char* const sides[] = { "left", "right", "l", "r" };
+	for ( int32_t i = 0; i < 4; ++i )
+	{
+		size_t sideLength = strlen( sides[i] );
+		if ( length <= sideLength || length >= TEXT_LIMIT )
+		{
+			continue;
+		}
+		const solePartWord* part = NULL;
+		if ( strncmp( word, sides[i], sideLength ) == 0 )
+		{
+			part = soleFindPart( word + sideLength );
+		}
+		if ( part == NULL && strcmp( word + length - sideLength, sides[i] ) == 0 )
+		{
+			char rest[TEXT_LIMIT + WORD_LIMIT];
+			memcpy( rest, word, length - sideLength );
+			rest[length - sideLength] = 0;
+			part = soleFindPart( rest );
+		}
+		if ( part != NULL )
+		{
+			*side = ( i & 1 ) == 0 ? sole_left : sole_right;
+			return part;
+		}
+	}
+	return NULL;
+}
+
+/// Some rig's mark: a known one, or a word that stands at this end of a third of all names.
+static bool soleIsMark( const soleMarks* marks, const char* word, bool isFirst, bool isLast )
+{
+	if ( IS_ONE_OF( word, soleMarkWords ) )
+	{
+		return true;
+	}
+	if ( marks->named < 9 || soleFindPart( word ) != NULL || soleFindSide( word ) != sole_center )
+	{
+		return false;
+	}
+	uint32_t slot = soleHashWord( word ) % SLOT_COUNT;
+	return ( isFirst && marks->first[slot] * 3 > marks->named ) || ( isLast && marks->last[slot] * 3 > marks->named );
+}
+
+static soleJointName soleParseName( const char* name, const soleMarks* marks )
+{
+	soleJointName result = { 0 };
+	soleWords words = soleCutWords( name );
+	char whole[TEXT_LIMIT + WORD_LIMIT] = { 0 };
+	char bare[TEXT_LIMIT + WORD_LIMIT] = { 0 };
+	for ( int32_t i = 0; i < words.count; ++i )
+	{
+		const char* word = words.text + words.starts[i];
+		soleSide side = soleFindSide( word );
+		if ( side != sole_center )
+		{
+			result.side = result.side == sole_center ? side : result.side;
+			continue;
+		}
+		if ( IS_ONE_OF( word, soleEndWords ) )
+		{
+			result.end = true;
+			continue;
+		}
+		if ( IS_ONE_OF( word, soleControlWords ) )
+		{
+			result.control = true;
+			continue;
+		}
+		strcat( whole, word );
+		if ( soleIsMark( marks, word, i == 0, i == words.count - 1 ) == false )
+		{
+			strcat( bare, word );
+		}
+	}
+	const solePartWord* part = soleFindPart( whole );
+	part = part != NULL ? part : soleFindPart( bare );
+	if ( part == NULL && result.side == sole_center )
+	{
+		part = soleFindSidedPart( whole, &result.side );
+		part = part != NULL ? part : soleFindSidedPart( bare, &result.side );
+	}
+	if ( part != NULL )
+	{
+		result.part = part->part;
+		result.word = soleHashWord( part->word );
+	}
+	if ( result.side == sole_center && result.part != sole_partPelvis )
+	{
+		result.part = result.part == sole_partHip && strcmp( bare, "hip" ) == 0 ? sole_partPelvis : sole_partNone;
+	}
+	if ( result.control )
+	{
+		result.part = sole_partNone;
+	}
+	return result;
+}
+
+static void soleCountMarks( const soleDetect* detect, soleMarks* marks )
+{
+	for ( int32_t i = 0; i < detect->jointCount; ++i )
+	{
+		const char* name = detect->skeleton->names[i];
+		if ( name == NULL || name[0] == 0 )
+		{
+			continue;
+		}
+		soleWords words = soleCutWords( name );
+		if ( words.count > 1 )
+		{
+			marks->first[soleHashWord( words.text + words.starts[0] ) % SLOT_COUNT] += 1;
+			marks->last[soleHashWord( words.text + words.starts[words.count - 1] ) % SLOT_COUNT] += 1;
+		}
+		marks->named += 1;
+	}
+}
+
+void soleParseNames( soleDetect* detect )
+{
+	if ( detect->skeleton->names == NULL )
+	{
+		return;
+	}
+	soleMarks marks = { 0 };
+	soleCountMarks( detect, &marks );
+	for ( int32_t i = 0; i < detect->jointCount; ++i )
+	{
+		const char* name = detect->skeleton->names[i];
+		if ( name != NULL && name[0] != 0 )
+		{
+			detect->names[i] = soleParseName( name, &marks );
+		}
+	}
+}
+
+// ----------------------------------------------------------------------------------------------------------- roles
+
+void soleFindLegsByRoles( soleDetect* detect )
+{
+	if ( detect->skeleton->roles == NULL )
+	{
+		return;
+	}
+	int32_t found[sole_roleHead + 1];
+	for ( int32_t i = 0; i <= (int32_t)sole_roleHead; ++i )
+	{
+		found[i] = SOLE_NONE;
+	}
+	for ( int32_t i = 0; i < detect->jointCount; ++i )
+	{
+		soleJointRole role = detect->skeleton->roles[i];
+		if ( role > sole_roleNone && role <= sole_roleHead && found[role] == SOLE_NONE )
+		{
+			found[role] = i;
+		}
+	}
+	for ( int32_t right = 0; right < 2; ++right )
+	{
+		const int32_t* joints = found + ( right == 0 ? sole_roleLeftHip : sole_roleRightHip );
+		if ( joints[0] == SOLE_NONE || joints[1] == SOLE_NONE || joints[2] == SOLE_NONE ||
+		    soleDetect_IsBelow( detect, joints[1], joints[0] ) == false ||
+		    soleDetect_IsBelow( detect, joints[2], joints[1] ) == false )
+		{
+			continue;
+		}
+		soleFoundLeg leg = soleEmptyLeg();
+		memcpy( leg.joints, joints, 3 * sizeof( int32_t ) );
+		leg.jointCount = 3;
+		leg.side = right == 0 ? sole_left : sole_right;
+		leg.sideFromName = true;
+		if ( joints[3] != SOLE_NONE && soleDetect_IsBelow( detect, joints[3], joints[2] ) )
+		{
+			leg.toes[0] = joints[3];
+			leg.toeCount = 1;
+		}
+		soleFoundLeg_Measure( detect, &leg );
+		if ( leg.length > 1e-4f * detect->size )
+		{
+			detect->legs[detect->legCount++] = leg;
+		}
+	}
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		soleAddFinding( detect, sole_info, i, SOLE_NONE, "", "the file's own bone map says which joints they are" );
+	}
+}
+
+// ----------------------------------------------------------------------------------------------------------- names
+
+/// The nearest joint above with that part and side, or SOLE_NONE.
+static int32_t soleFindAbove( const soleDetect* detect, int32_t joint, soleNamePart part, soleSide side )
+{
+	int32_t above = detect->parents[joint];
+	for ( int32_t i = 0; i < SOLE_DETECT_WALK && above != SOLE_NONE; ++i, above = detect->parents[above] )
+	{
+		const soleJointName* name = detect->names + above;
+		if ( name->part == part && name->side == side && name->end == false )
+		{
+			return above;
+		}
+	}
+	return SOLE_NONE;
+}
+
+/// The top of a run of joints named alike: a thigh cut into twist segments begins at the first.
+static int32_t soleClimbRun( const soleDetect* detect, int32_t joint )
+{
+	const soleJointName* name = detect->names + joint;
+	int32_t top = joint;
+	for ( int32_t i = 0; i < SOLE_DETECT_WALK; ++i )
+	{
+		int32_t above = detect->parents[top];
+		if ( above == SOLE_NONE || detect->names[above].part != name->part || detect->names[above].side != name->side ||
+		    detect->names[above].word != name->word )
+		{
+			break;
+		}
+		top = above;
+	}
+	return top;
+}
+
+/// Hip and knee of a leg whose end is given: what the ambiguous "leg" means is told by what else is there.
+static bool soleFindThighAndShin( const soleDetect* detect, int32_t end, soleSide side, int32_t* hip, int32_t* knee )
+{
+	int32_t shin = soleFindAbove( detect, end, sole_partKnee, side );
+	int32_t leg = soleFindAbove( detect, end, sole_partLeg, side );
+	int32_t thigh = soleFindAbove( detect, end, sole_partHip, side );
+	if ( shin == SOLE_NONE && leg != SOLE_NONE )
+	{
+		shin = leg;
+	}
+	if ( thigh == SOLE_NONE && leg != SOLE_NONE && leg != shin )
+	{
+		thigh = leg;
+	}
+	if ( shin == SOLE_NONE || thigh == SOLE_NONE )
+	{
+		return false;
+	}
+	*knee = soleClimbRun( detect, shin );
+	*hip = soleClimbRun( detect, thigh );
+	return soleDetect_IsBelow( detect, *knee, *hip ) && *knee != *hip;
+}
+
+/// Of "ankle" above "foot" the upper one is where the leg ends.
+static int32_t soleClimbAnkle( const soleDetect* detect, int32_t ankle, int32_t knee )
+{
+	int32_t top = ankle;
+	int32_t above = detect->parents[ankle];
+	for ( int32_t i = 0; i < SOLE_DETECT_WALK && above != SOLE_NONE && above != knee; ++i )
+	{
+		if ( detect->names[above].part == sole_partAnkle && detect->names[above].side == detect->names[ankle].side )
+		{
+			top = above;
+		}
+		above = detect->parents[above];
+	}
+	return top;
+}
+
+/// Joints that move the skin are meant, where there are others of the same name.
+static float soleRankLeg( const soleDetect* detect, const soleFoundLeg* leg )
+{
+	float rank = leg->length / detect->size;
+	for ( int32_t i = 0; i < leg->jointCount; ++i )
+	{
+		rank += detect->skinnedCount[leg->joints[i]] > 0 ? 10.0f : 0.0f;
+	}
+	return rank;
+}
+
+static bool soleFindLegOfSide( const soleDetect* detect, soleSide side, soleFoundLeg* best )
+{
+	float bestRank = -1.0f;
+	int32_t candidates = 0;
+	for ( int32_t i = 0; i < detect->jointCount && candidates < CANDIDATE_LIMIT; ++i )
+	{
+		const soleJointName* name = detect->names + i;
+		soleFoundLeg leg = soleEmptyLeg();
+		if ( name->part != sole_partAnkle || name->side != side || name->end ||
+		    soleFindThighAndShin( detect, i, side, leg.joints, leg.joints + 1 ) == false )
+		{
+			continue;
+		}
+		candidates += 1;
+		leg.joints[2] = soleClimbAnkle( detect, i, leg.joints[1] );
+		leg.jointCount = 3;
+		leg.side = side;
+		leg.sideFromName = true;
+		soleFoundLeg_Measure( detect, &leg );
+		float rank = soleRankLeg( detect, &leg );
+		if ( rank > bestRank && leg.length > 1e-4f * detect->size )
+		{
+			bestRank = rank;
+			*best = leg;
+		}
+	}
+	return bestRank >= 0.0f;
+}
+
+/// The joint of the skeleton's own feet that ends a shin without an ankle: named alike but hung elsewhere.
+static int32_t soleFindDetached( const soleDetect* detect, soleSide side, int32_t hip, soleVec3 near )
+{
+	int32_t best = SOLE_NONE;
+	float bestDistance = 0.0f;
+	for ( int32_t i = 0; i < detect->jointCount; ++i )
+	{
+		const soleJointName* name = detect->names + i;
+		if ( name->part != sole_partAnkle || name->side != side || name->end || soleDetect_IsBelow( detect, i, hip ) ||
+		    soleDetect_IsBelow( detect, hip, i ) )
+		{
+			continue;
+		}
+		float distance = soleDistance( detect->position[i], near );
+		distance *= detect->skinnedCount[i] > 0 ? 0.1f : 1.0f;
+		if ( best == SOLE_NONE || distance < bestDistance )
+		{
+			best = i;
+			bestDistance = distance;
+		}
+	}
+	return best;
+}
+
+/// A child that only marks where the bone ends, or the only child there is.
+static int32_t soleFindBoneEnd( const soleDetect* detect, int32_t joint )
+{
+	int32_t best = SOLE_NONE;
+	for ( int32_t i = 0; i < detect->jointCount; ++i )
+	{
+		if ( detect->parents[i] == joint && detect->names[i].control == false &&
+		    soleDistance( detect->position[i], detect->position[joint] ) > 1e-3f * detect->size &&
+		    ( best == SOLE_NONE || detect->names[i].end ) )
+		{
+			best = i;
+		}
+	}
+	return best;
+}
+
+/// Thigh and shin without an ankle joint below them.
+static bool soleFindLegWithoutAnkle( const soleDetect* detect, soleSide side, soleFoundLeg* best )
+{
+	float bestRank = -1.0f;
+	int32_t candidates = 0;
+	for ( int32_t i = 0; i < detect->jointCount && candidates < CANDIDATE_LIMIT; ++i )
+	{
+		const soleJointName* name = detect->names + i;
+		int32_t hip = soleFindAbove( detect, i, sole_partHip, side );
+		if ( ( name->part != sole_partKnee && name->part != sole_partLeg ) || name->side != side || name->end ||
+		    hip == SOLE_NONE )
+		{
+			continue;
+		}
+		candidates += 1;
+		soleFoundLeg leg = soleEmptyLeg();
+		leg.joints[0] = soleClimbRun( detect, hip );
+		leg.joints[1] = soleClimbRun( detect, i );
+		leg.jointCount = 2;
+		leg.side = side;
+		leg.sideFromName = true;
+		leg.hasVirtualAnkle = true;
+		leg.ankle = detect->position[leg.joints[1]];
+		soleFoundLeg_Measure( detect, &leg );
+		float rank = soleRankLeg( detect, &leg );
+		if ( rank > bestRank && leg.length > 1e-4f * detect->size )
+		{
+			bestRank = rank;
+			*best = leg;
+		}
+	}
+	if ( bestRank < 0.0f )
+	{
+		return false;
+	}
+	int32_t knee = best->joints[1];
+	int32_t end = soleFindBoneEnd( detect, knee );
+	soleVec3 thigh = soleSub( detect->position[knee], detect->position[best->joints[0]] );
+	// Without anything at its end a shin is taken to be as long as the thigh; the skin corrects that later.
+	soleVec3 near = end != SOLE_NONE ? detect->position[end] : soleAdd( detect->position[knee], thigh );
+	best->detachedFoot = soleFindDetached( detect, side, best->joints[0], near );
+	if ( end != SOLE_NONE )
+	{
+		best->joints[2] = end;
+		best->jointCount = 3;
+		best->hasVirtualAnkle = false;
+	}
+	else
+	{
+		best->ankle = best->detachedFoot != SOLE_NONE ? detect->position[best->detachedFoot] : near;
+	}
+	soleFoundLeg_Measure( detect, best );
+	return true;
+}
+
+void soleFindLegsByNames( soleDetect* detect )
+{
+	for ( int32_t i = 0; i < 2; ++i )
+	{
+		soleSide side = i == 0 ? sole_left : sole_right;
+		soleFoundLeg leg = soleEmptyLeg();
+		if ( soleFindLegOfSide( detect, side, &leg ) || soleFindLegWithoutAnkle( detect, side, &leg ) )
+		{
+			detect->legs[detect->legCount++] = leg;
+		}
+	}
+	for ( int32_t i = 0; i < detect->legCount; ++i )
+	{
+		const soleFoundLeg* leg = detect->legs + i;
+		soleJointLabel hip = soleLabelJoint( detect, leg->joints[0] );
+		soleJointLabel knee = soleLabelJoint( detect, leg->joints[1] );
+		soleJointLabel foot = soleLabelJoint( detect, soleFoundLeg_GetFoot( leg ) );
+		soleAddFinding( detect, sole_info, i, SOLE_NONE, "", "by names: %s, %s, %s", hip.text, knee.text, foot.text );
+	}
+}
