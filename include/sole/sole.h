@@ -25,6 +25,7 @@ SOLE_API soleResult soleCreateRig(
 SOLE_API void soleDestroyRig( soleRig* rig );
 
 SOLE_API int32_t soleRig_GetJointCount( const soleRig* rig );
+SOLE_API int32_t soleRig_GetParent( const soleRig* rig, int32_t joint );
 SOLE_API int32_t soleRig_GetLegCount( const soleRig* rig );
 /// The definition of a leg as it was given, its name and hinge filled in. The name lives as long as the rig.
 SOLE_API soleLegDef soleRig_GetLeg( const soleRig* rig, int32_t leg );

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The table of settings: the one place of their names, units, ranges and defaults. Files, viewers and documents read
+// it.
+#include "sole/sole.h"
+
+#include <string.h>
+
+#define FLOAT( field, unit, low, high, value, text )                                                                   \
+	{                                                                                                                  \
+#field, unit, sole_settingFloat, offsetof( soleSettings, field ), low, high, value, text                       \
+	}
+#define ENUM( field, high, value, text )                                                                               \
+	{                                                                                                                  \
+#field, "", sole_settingEnum, offsetof( soleSettings, field ), 0, high, value, text                            \
+	}
+#define MASK( field, text )                                                                                            \
+	{                                                                                                                  \
+#field, "", sole_settingMask, offsetof( soleSettings, field ), 0, 4294967295.0, 4294967295.0, text             \
+	}
+
+static const soleSettingInfo soleSettingInfos[] = {
+	ENUM( probe.shape, 1, 0, "What is cast at the ground: 0 a ray, 1 a sphere." ),
+	ENUM( probe.layout, 2, 0, "Probes a foot: 0 economy (5), 1 quality (18), 2 single (1)." ),
+	FLOAT( probe.radius, "L", 0.001, 0.3, 0.05, "Radius of spheres." ),
+	FLOAT( probe.stepUp, "L", 0.05, 2, 0.45, "Ground this far above the root is still found." ),
+	FLOAT( probe.stepDown, "L", 0.05, 4, 0.55, "Ground this far below the root is still found." ),
+	MASK( probe.mask, "Layers that count as ground." ),
+	FLOAT( support.maxSlope, "rad", 0, 1.5, 0.8726646, "Steeper ground gives height but does not tilt the foot." ),
+	FLOAT(
+	    support.levelGap, "L", 0, 0.5, 0.022, "Neighbouring probes this far beyond 45 degrees are on other levels." ),
+	FLOAT( support.loadPoint, "", 0, 1, 0.5, "Where the sole bears, from heel to toe tip." ),
+	FLOAT( support.heightHalfLife, "s", 0, 1, 0.045, "How fast a foot in flight takes up a step of the ground." ),
+	FLOAT( support.gradientHalfLife, "s", 0, 1, 0.05, "How fast a foot in flight takes up a change of slope." ),
+	FLOAT( support.plantedHalfLife, "s", 0, 1, 0.02, "How fast a planted foot takes up what is left of both." ),
+	FLOAT( contact.speedOn, "L/s", 0, 20, 0.33, "A sole point slower than this may plant." ),
+	FLOAT( contact.speedOff, "L/s", 0, 40, 1.1, "A sole point faster than this releases." ),
+	FLOAT( contact.heightOn, "L", 0, 1, 0.025, "A sole point lower than this over the clip's floor may plant." ),
+	FLOAT( contact.heightOff, "L", 0, 1, 0.05, "A sole point higher than this releases." ),
+	FLOAT( contact.lockDistance, "L", 0, 2, 0.25, "A lock further than this from the animation is given up." ),
+	FLOAT( contact.lockAngle, "rad", 0, 3, 0.7853982, "A lock turned further than this is given up." ),
+	FLOAT( contact.captureHalfLife, "s", 0, 1, 0.05, "How fast a foot comes to rest when it is locked." ),
+	FLOAT( contact.releaseHalfLife, "s", 0, 1, 0.08, "How fast a foot returns to the animation when it is let go." ),
+	FLOAT( contact.fadeIn, "s", 0, 1, 0.12, "Time in which a planted leg gets its full say in the pelvis." ),
+	FLOAT( contact.fadeOut, "s", 0, 1, 0.2, "Time in which a released leg loses its say in the pelvis." ),
+	FLOAT( target.align, "", 0, 1, 1, "Share of the ground's slope that the foot follows." ),
+	FLOAT( pelvis.down, "L", 0, 1, 0.45, "Furthest that the pelvis goes down." ),
+	FLOAT( pelvis.up, "L", 0, 1, 0.1, "Furthest that the pelvis goes up." ),
+	FLOAT( pelvis.halfLife, "s", 0, 2, 0.1, "How fast the pelvis follows the legs." ),
+	FLOAT( pelvis.rootJump, "L", 0, 1, 0.02, "A root that moves more than this beyond its speed has jumped." ),
+	FLOAT( leg.reach, "", 0.5, 1, 0.995, "Furthest extension of a leg as a share of its bones." ),
+	FLOAT( leg.softZone, "L", 0, 0.3, 0.02, "The reach limit is approached softly over this much." ),
+	FLOAT( leg.fold, "", 0, 0.9, 0.2, "Least extension of a leg as a share of its bones." ),
+	FLOAT( leg.heelLift, "rad", 0, 1.4, 0.8726646, "Most that a heel is raised to reach the ground." ),
+	FLOAT( ankle.toeUp, "rad", 0, 1.5, 1.1344640, "Furthest that the toes bend up." ),
+	FLOAT( ankle.toeDown, "rad", 0, 1.5, 0.2617994, "Furthest that the toes bend down." ),
+};
+
+const soleSettingInfo* soleGetSettingInfos( int32_t* count )
+{
+	if ( count != NULL )
+	{
+		*count = (int32_t)( sizeof soleSettingInfos / sizeof soleSettingInfos[0] );
+	}
+	return soleSettingInfos;
+}
+
+double soleSettings_Get( const soleSettings* settings, const soleSettingInfo* info )
+{
+	const char* field = (const char*)settings + info->offset;
+	if ( info->type == sole_settingFloat )
+	{
+		float value;
+		memcpy( &value, field, sizeof value );
+		return (double)value;
+	}
+	if ( info->type == sole_settingEnum )
+	{
+		int32_t value;
+		memcpy( &value, field, sizeof value );
+		return (double)value;
+	}
+	uint32_t value;
+	memcpy( &value, field, sizeof value );
+	return (double)value;
+}
+
+void soleSettings_Set( soleSettings* settings, const soleSettingInfo* info, double value )
+{
+	if ( !( value - value == 0.0 ) )
+	{
+		return;
+	}
+	value = value < info->minimum ? info->minimum : ( value > info->maximum ? info->maximum : value );
+	char* field = (char*)settings + info->offset;
+	if ( info->type == sole_settingFloat )
+	{
+		float number = (float)value;
+		memcpy( field, &number, sizeof number );
+	}
+	else if ( info->type == sole_settingEnum )
+	{
+		int32_t number = (int32_t)value;
+		memcpy( field, &number, sizeof number );
+	}
+	else
+	{
+		uint32_t number = (uint32_t)value;
+		memcpy( field, &number, sizeof number );
+	}
+}
+
+soleSettings soleDefaultSettings( void )
+{
+	soleSettings settings = { 0 };
+	int32_t count;
+	const soleSettingInfo* infos = soleGetSettingInfos( &count );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleSettings_Set( &settings, infos + i, infos[i].defaultValue );
+	}
+	settings.internalValue = SOLE_COOKIE;
+	return settings;
+}
