@@ -11,7 +11,7 @@ int main( void )
 {
 	soleVersion version = soleGetVersion();
 	bool sameVersion = version.major == SOLE_VERSION_MAJOR && version.minor == SOLE_VERSION_MINOR &&
-		version.patch == SOLE_VERSION_PATCH;
+	    version.patch == SOLE_VERSION_PATCH;
 	bool length = soleLength( soleVec( 3.0f, 4.0f, 0.0f ) ) == 5.0f;
 	printf( "consumer: sole %d.%d.%d\n", version.major, version.minor, version.patch );
 	return sameVersion && length ? 0 : 1;
