@@ -265,7 +265,7 @@ static void rubbleIsRoughWithinItsAmplitudesAndFadesOut( void** state )
 	float other[2];
 	for ( int seed = 1; seed <= 40; ++seed )
 	{
-		char id[16];
+		char id[24];
 		snprintf( id, sizeof id, "rubble-%d", seed );
 		getRubble( id, &other[0], &other[1] );
 		assert_true( other[1] > 0.02f && other[1] <= 0.1f );
