@@ -12,6 +12,8 @@ typedef struct toolCommand
 } toolCommand;
 
 static const toolCommand toolCommands[] = {
+	{ "measure", "prints how well the feet of a clip stand on a ground", toolRunMeasure },
+	{ "label", "prints when which foot is in contact, per clip", toolRunLabel },
 	{ NULL, NULL, NULL },
 };
 
