@@ -32,6 +32,13 @@ static void* toolCopyFloats( const float* values, size_t count )
 	return copy;
 }
 
+/// Floats of one key's values.
+static size_t toolGetKeySize( const toolChannel* channel )
+{
+	size_t size = channel->path == tool_pathRotation ? 4 : 3;
+	return channel->interpolation == tool_cubic ? 3 * size : size;
+}
+
 static toolClip toolCopyClip( const toolClip* clip )
 {
 	toolClip copy = *clip;
@@ -42,7 +49,7 @@ static toolClip toolCopyClip( const toolClip* clip )
 	{
 		const toolChannel* channel = clip->channels + i;
 		size_t count = (size_t)channel->keyCount;
-		size_t size = ( channel->path == tool_pathRotation ? 4 : 3 ) * ( channel->interpolation == tool_cubic ? 3 : 1 );
+		size_t size = toolGetKeySize( channel );
 		copy.channels[i] = *channel;
 		copy.channels[i].times = toolCopyFloats( channel->times, count );
 		copy.channels[i].values = toolCopyFloats( channel->values, count * size );
@@ -60,7 +67,7 @@ static bool toolCheckChannel( const toolGltf* gltf, const char* clip, const tool
 		    error, gltf->path, "clip '%.60s' moves no node or has no keys: leave that channel out", clip );
 	}
 	const char* node = gltf->model.nodes[channel->node].name;
-	size_t size = ( channel->path == tool_pathRotation ? 4 : 3 ) * ( channel->interpolation == tool_cubic ? 3 : 1 );
+	size_t size = toolGetKeySize( channel );
 	if ( toolFindNotFinite( channel->times, (size_t)channel->keyCount ) >= 0 ||
 	    toolFindNotFinite( channel->values, (size_t)channel->keyCount * size ) >= 0 )
 	{
@@ -205,6 +212,12 @@ toolGltf* toolMakeGltf( const toolModel* model )
 	gltf->json = toolCopyString( "{\"asset\":{\"version\":\"2.0\",\"generator\":\"sole\"}}" );
 	gltf->jsonCount = strlen( gltf->json );
 	gltf->scene = SOLE_NONE;
+	toolError error;
+	if ( toolCheckScene( gltf, model, &error ) == false )
+	{
+		toolFreeGltf( gltf );
+		return NULL;
+	}
 	toolBuilder builder;
 	toolStartBuilder( gltf, &builder );
 	int32_t* meshMap = toolAlloc( (size_t)model->meshCount, sizeof( int32_t ) );
@@ -219,9 +232,7 @@ toolGltf* toolMakeGltf( const toolModel* model )
 			toolBuildClip( &builder, model->clips + i );
 		}
 	}
-	toolError error;
-	if ( ( toolCheckScene( gltf, model, &error ) && toolCommitBuilder( gltf, &builder, &error ) &&
-	         toolRenewModel( gltf, &error ) ) == false )
+	if ( toolCommitBuilder( gltf, &builder, &error ) == false || toolRenewModel( gltf, &error ) == false )
 	{
 		toolFreeGltf( gltf );
 		return NULL;

@@ -238,7 +238,7 @@ static void toolAddInfluences( toolBuilder* builder, toolJsonText* attributes, c
 				jointSet[2 * i + 1] = (uint8_t)( joints[from] >> 8 );
 			}
 		}
-		char key[16];
+		char key[32];
 		snprintf( key, sizeof key, "JOINTS_%zu", set );
 		size_t view = toolAddView( builder, jointSet, vertexCount * ( narrow ? 4 : 8 ), tool_targetVertices );
 		toolAddKey( attributes, key );
