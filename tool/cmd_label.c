@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ROUNDS 3.0 // of a clip that loops: the middle one is printed, so that its ends are like its middle
-#define LEAST_FPS 30.0
+#define ROUNDS 3.0     // of a clip that loops: the middle one is printed, so that its ends are like its middle
+#define LEAST_FPS 60.0 // below, differences of positions smear the short contacts of a run
 #define MOST_FPS 240.0
 
 static const char* const toolLabelHelp =
@@ -157,6 +157,8 @@ static bool toolLabelPlain(
 	double fps = fmin( fmax( (double)travel.frameRate, LEAST_FPS ), MOST_FPS );
 	double frames = floor( (double)bound.duration * fps + 0.5 );
 	bool loops = travel.loops && frames >= 1.0;
+	// A round is a whole number of frames.
+	fps = frames >= 1.0 ? frames / (double)bound.duration : fps;
 	bool good = toolMakeClipTake( character, &bound, &travel, fps, loops ? ROUNDS : 1.0, take, error );
 	toolFreeBoundClip( &bound );
 	if ( good )
