@@ -12,6 +12,7 @@ typedef struct toolCommand
 } toolCommand;
 
 static const toolCommand toolCommands[] = {
+	{ "bake", "plays a clip over a ground with its feet placed, into a new clip of the file", toolRunBake },
 	{ NULL, NULL, NULL },
 };
 
