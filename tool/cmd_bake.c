@@ -2,6 +2,8 @@
 // sole bake: a character's clips played over a ground with their feet placed, appended to the character's file.
 #include "bake_options.h"
 #include "command.h"
+#include "evaluate.h"
+#include "figures_text.h"
 
 #include <json-c/json.h>
 #include <math.h>
@@ -18,6 +20,7 @@ typedef struct toolBakeJob
 	toolGltf* clipsGltf;
 	toolCharacter character;
 	toolGroundSource ground;
+	soleTerrain* terrain;
 	soleSettings settings;
 	toolClip* made;
 	int32_t madeCount;
@@ -51,6 +54,16 @@ static bool toolOpenJobCharacter( toolBakeJob* job, toolError* error )
 	return true;
 }
 
+// What feet are measured against.
+static bool toolOpenTerrain( toolBakeJob* job, toolError* error )
+{
+	const toolGroundMesh* mesh = &job->ground.mesh;
+	soleMessage message = { { 0 } };
+	soleResult result = soleCreateTerrain( mesh->positions, mesh->vertexCount, mesh->indices, mesh->triangleCount,
+	    soleVec( 0.0f, 1.0f, 0.0f ), NULL, &job->terrain, &message );
+	return result == sole_success || toolFail( error, "%s: %s", job->options.ground, message.text );
+}
+
 static bool toolOpenJob( toolBakeJob* job, toolError* error )
 {
 	job->settings = soleDefaultSettings();
@@ -59,7 +72,8 @@ static bool toolOpenJob( toolBakeJob* job, toolError* error )
 	{
 		return false;
 	}
-	return toolOpenJobCharacter( job, error ) && toolOpenGround( job->options.ground, &job->ground, error );
+	return toolOpenJobCharacter( job, error ) && toolOpenGround( job->options.ground, &job->ground, error ) &&
+	    toolOpenTerrain( job, error );
 }
 
 static void toolCloseJob( toolBakeJob* job )
@@ -74,6 +88,7 @@ static void toolCloseJob( toolBakeJob* job )
 	toolFreeGltf( job->gltf );
 	toolFreeGltf( job->clipsGltf );
 	toolCloseGround( &job->ground );
+	soleDestroyTerrain( job->terrain );
 	toolFreeBakeOptions( &job->options );
 }
 
@@ -129,37 +144,101 @@ static bool toolLayWay(
 	return toolChooseStart( job->ground.ground, options->ground, def->heading, def->distance, step, start, error );
 }
 
-static void toolReportTake( toolBakeJob* job, const toolClip* clip, const char* method, const toolBakeResult* result )
+// One method's take of a clip.
+typedef struct toolBakedTake
+{
+	const char* method;
+	soleFigures figures;
+	soleFigures reference; // of the clip on flat ground, feet untouched
+} toolBakedTake;
+
+static bool toolMeasureBake(
+    const toolBakeJob* job, const toolBakeResult* result, toolBakedTake* taken, toolError* error )
+{
+	toolTakeDef def = {
+		.frameCount = result->walk.frameCount,
+		.frameRate = result->walk.fps,
+		.clipFloor = result->clipFloor,
+		.poses = result->output,
+		.roots = result->walk.roots,
+		.inputPoses = result->input,
+		.inputRoots = result->walk.roots,
+	};
+	toolTake take;
+	if ( toolMakeTake( &job->character, &def, &take, error ) == false )
+	{
+		return false;
+	}
+	bool good = toolMeasureTake( &job->character, &take, job->terrain, &taken->figures, &taken->reference, error );
+	toolFreeTake( &take );
+	return good;
+}
+
+static void toolReportTake(
+    toolBakeJob* job, const char* clip, const toolBakeResult* result, const toolBakedTake* taken )
 {
 	const toolWalk* walk = &result->walk;
 	double duration = (double)( walk->frameCount - 1 ) / walk->fps;
 	soleVec3 a = walk->roots[0].translation;
 	soleVec3 b = walk->roots[walk->frameCount - 1].translation;
-	int32_t planted = 0;
-	int32_t lost = 0;
-	for ( size_t i = 0; i < (size_t)walk->frameCount * (size_t)result->legCount; ++i )
-	{
-		planted += ( result->flags[i] & (uint32_t)sole_legPlanted ) != 0 ? 1 : 0;
-		lost += ( result->flags[i] & (uint32_t)sole_legOutOfReach ) != 0 ? 1 : 0;
-	}
 	if ( job->options.json == false )
 	{
-		printf( "%s: %d frames at %g Hz, %.2f s, from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) at %.2f m/s\n",
-		    clip->name, walk->frameCount, walk->fps, duration, (double)a.x, (double)a.y, (double)a.z, (double)b.x,
-		    (double)b.y, (double)b.z, walk->speed );
+		printf( "%s: %d frames at %g Hz, %.2f s, from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) at %.2f m/s\n", clip,
+		    walk->frameCount, walk->fps, duration, (double)a.x, (double)a.y, (double)a.z, (double)b.x, (double)b.y,
+		    (double)b.z, walk->speed );
 		return;
 	}
-	struct json_object* entry = json_object_new_object();
-	json_object_object_add( entry, "clip", json_object_new_string( clip->name ) );
-	json_object_object_add( entry, "method", json_object_new_string( method ) );
+	struct json_object* entry = toolFiguresToJson( job->character.rig, &taken->figures );
+	json_object_object_add( entry, "clip", json_object_new_string( clip ) );
+	json_object_object_add( entry, "method", json_object_new_string( taken->method ) );
 	json_object_object_add( entry, "frames", json_object_new_int( walk->frameCount ) );
 	json_object_object_add( entry, "fps", json_object_new_double( walk->fps ) );
 	json_object_object_add( entry, "duration", json_object_new_double( duration ) );
 	json_object_object_add( entry, "speed", json_object_new_double( walk->speed ) );
 	json_object_object_add( entry, "rate", json_object_new_double( walk->rate ) );
-	json_object_object_add( entry, "plantedLegFrames", json_object_new_int( planted ) );
-	json_object_object_add( entry, "outOfReachLegFrames", json_object_new_int( lost ) );
+	json_object_object_add( entry, "ratios", toolRatiosToJson( &taken->figures, &taken->reference ) );
 	json_object_array_add( json_object_object_get( job->report, "clips" ), entry );
+}
+
+static void toolPrintTakes( const toolBakeJob* job, const toolBakedTake* takes )
+{
+	int32_t count = job->options.methodCount;
+	toolFigureColumn* columns = toolAlloc( (size_t)count + 1, sizeof *columns );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		columns[i] = ( toolFigureColumn ){ takes[i].method, &takes[i].figures, &takes[i].reference };
+	}
+	columns[count] = ( toolFigureColumn ){ "reference", &takes[0].reference, NULL };
+	puts( "" );
+	toolPrintFigures( stdout, job->character.rig, columns, count + 1 );
+	puts( "" );
+	free( columns );
+}
+
+static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const toolTravel* travel,
+    const toolBakeDef* def, toolBakedTake* taken, toolError* error )
+{
+	toolBakeResult result;
+	if ( toolBake( &job->character, bound, travel, job->ground.ground, def, &result, error ) == false )
+	{
+		return false;
+	}
+	taken->method = def->method->name;
+	job->made = toolGrow( job->made, (size_t)job->madeCount + 1, sizeof *job->made );
+	toolClip* clip = job->made + job->madeCount++;
+	toolMakeBakedClip( &job->character, bound, travel, taken->method, job->options.clipsFile, &result, clip );
+	bool good = toolMeasureBake( job, &result, taken, error );
+	if ( good )
+	{
+		toolReportTake( job, clip->name, &result, taken );
+	}
+	toolFreeBakeResult( &result );
+	if ( good && toolFindClip( toolGltf_GetModel( job->gltf ), clip->name ) != SOLE_NONE )
+	{
+		return toolFail(
+		    error, "%s: already has a clip '%s': bake from the file without it", job->options.character, clip->name );
+	}
+	return good;
 }
 
 static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolError* error )
@@ -177,26 +256,19 @@ static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolE
 	def.speed = options->speed;
 	def.duration = options->duration;
 	def.fps = options->fps;
-	for ( int32_t i = 0; i < options->methodCount; ++i )
+	toolBakedTake* takes = toolAlloc( (size_t)options->methodCount, sizeof *takes );
+	bool good = true;
+	for ( int32_t i = 0; i < options->methodCount && good; ++i )
 	{
 		def.method = options->methods[i];
-		toolBakeResult result;
-		if ( toolBake( &job->character, bound, &travel, job->ground.ground, &def, &result, error ) == false )
-		{
-			return false;
-		}
-		job->made = toolGrow( job->made, (size_t)job->madeCount + 1, sizeof *job->made );
-		toolClip* clip = job->made + job->madeCount++;
-		toolMakeBakedClip( &job->character, bound, &travel, def.method->name, &result, clip );
-		toolReportTake( job, clip, def.method->name, &result );
-		toolFreeBakeResult( &result );
-		if ( toolFindClip( toolGltf_GetModel( job->gltf ), clip->name ) != SOLE_NONE )
-		{
-			return toolFail(
-			    error, "%s: already has a clip '%s': bake from the file without it", options->character, clip->name );
-		}
+		good = toolBakeMethod( job, bound, &travel, &def, takes + i, error );
 	}
-	return true;
+	if ( good && options->json == false )
+	{
+		toolPrintTakes( job, takes );
+	}
+	free( takes );
+	return good;
 }
 
 // --------------------------------------------------------------------------------------------------------- bake
