@@ -12,6 +12,7 @@ typedef struct toolCommand
 } toolCommand;
 
 static const toolCommand toolCommands[] = {
+	{ "inspect", "legs, soles, clips and problems of a character", toolRunInspect },
 	{ NULL, NULL, NULL },
 };
 
