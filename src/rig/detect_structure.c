@@ -190,19 +190,24 @@ static float soleBone( const soleDetect* detect, const int32_t* joints, int32_t 
 	return soleDistance( detect->position[joints[end - 1]], detect->position[joints[end]] );
 }
 
+/// Whether the way from one joint to another runs along the floor: by more than that share of how far it goes down.
+static bool soleRunsAlong( const soleDetect* detect, const soleAttempt* attempt, int32_t from, int32_t to, float share )
+{
+	soleVec3 way = soleSub( detect->position[to], detect->position[from] );
+	return soleLength( soleReject( way, attempt->up ) ) > -share * soleDot( way, attempt->up );
+}
+
 /// Index of the joint where the leg ends and the foot begins: the first low one from which the way to the tip runs
-/// along the floor rather than down to it.
+/// along the floor rather than down to it, the next bone included, or else a hock would count.
 static int32_t soleFindAnkleIndex(
     const soleDetect* detect, const soleAttempt* attempt, const int32_t* joints, int32_t count )
 {
 	float hip = soleHeight( detect, attempt, joints[0] );
 	for ( int32_t i = 2; i < count - 1; ++i )
 	{
-		float height = soleHeight( detect, attempt, joints[i] );
-		soleVec3 rest = soleSub( detect->position[joints[count - 1]], detect->position[joints[i]] );
-		float drop = -soleDot( rest, attempt->up );
-		float run = soleLength( soleReject( rest, attempt->up ) );
-		if ( height < 0.35f * hip && run > drop )
+		if ( soleHeight( detect, attempt, joints[i] ) < 0.35f * hip &&
+		    soleRunsAlong( detect, attempt, joints[i], joints[count - 1], 0.7f ) &&
+		    soleRunsAlong( detect, attempt, joints[i], joints[i + 1], 0.5f ) )
 		{
 			return i;
 		}
