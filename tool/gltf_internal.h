@@ -27,8 +27,11 @@ struct toolGltf
 	float* matrices; // local, 16 a node, column by column
 	bool* inScene;   // per node: the default scene shows it
 	int32_t scene;   // or SOLE_NONE
-	void** retired;  // arrays of the model that were replaced: pointers into them stay good
+	// What the model was before it was renewed: pointers into it stay good until the file is freed.
+	void** retired;
 	int32_t retiredCount;
+	toolModel* oldModels;
+	int32_t oldModelCount;
 	toolModel model;
 };
 

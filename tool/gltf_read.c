@@ -580,6 +580,11 @@ void toolFreeGltf( toolGltf* gltf )
 		free( gltf->retired[i] );
 	}
 	free( gltf->retired );
+	for ( int32_t i = 0; i < gltf->oldModelCount; ++i )
+	{
+		toolFreeModel( gltf->oldModels + i );
+	}
+	free( gltf->oldModels );
 	free( gltf->path );
 	free( gltf->original );
 	free( gltf->json );

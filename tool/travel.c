@@ -186,7 +186,7 @@ typedef struct toolExcursion
 	double net;      // along the floor, from start to end
 	double furthest; // from the start
 	double heights;  // highest less lowest
-	double drop;     // start less lowest
+	double drop;     // start or end less lowest, whichever is more
 	double netTurn;
 	double mostTurn;
 } toolExcursion;
@@ -198,6 +198,7 @@ static toolExcursion toolFindExcursion( const toolTracker* tracker )
 	int count = duration < 204.0 ? 32 + (int)( duration * 10.0 ) : 2072;
 	toolPlaneMotion start = toolFrameAt( tracker, 0.0 );
 	double startHeight = 0.0;
+	double endHeight = 0.0;
 	double low = HUGE_VAL;
 	double high = -HUGE_VAL;
 	for ( int i = 0; i <= count; ++i )
@@ -208,6 +209,7 @@ static toolExcursion toolFindExcursion( const toolTracker* tracker )
 		double dx = (double)soleDot( world.translation, tracker->ahead ) - start.place.re;
 		double dz = (double)soleDot( world.translation, tracker->side ) - start.place.im;
 		startHeight = i == 0 ? height : startHeight;
+		endHeight = height;
 		low = fmin( low, height );
 		high = fmax( high, height );
 		e.net = sqrt( dx * dx + dz * dz );
@@ -216,7 +218,7 @@ static toolExcursion toolFindExcursion( const toolTracker* tracker )
 		e.mostTurn = fmax( e.mostTurn, e.netTurn );
 	}
 	e.heights = high - low;
-	e.drop = startHeight - low;
+	e.drop = fmax( startHeight, endHeight ) - low;
 	return e;
 }
 
@@ -314,7 +316,7 @@ static bool toolDoesTravel( const toolTracker* tracker, double legLength, toolTr
 		travel->turns = e.mostTurn > 0.03;
 		return e.net > 0.05 * legLength || e.furthest > 0.25 * legLength || e.netTurn > TURN_OF_ROOT_BONE;
 	}
-	// A body that falls or sits down comes to lie elsewhere without having travelled.
+	// A body that falls, sits down or rises comes to be elsewhere without having travelled.
 	bool far = e.net - 2.0 * e.drop > 0.25 * legLength;
 	bool around = e.furthest - 2.0 * e.drop > 0.75 * legLength;
 	travel->kind = far && travel->loops ? tool_travelSteady : tool_travelSmooth;

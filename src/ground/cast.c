@@ -167,7 +167,7 @@ static bool soleMeetPlane( const soleGroundPlane* plane, const soleGroundQuery* 
 			return false;
 		}
 		touch->t = ( height - r ) / -along;
-		touch->facing = r;
+		touch->facing = -along;
 		centre = soleMulAdd( start, (float)touch->t, way );
 		distance = r;
 	}
@@ -207,7 +207,7 @@ soleHit soleCastProbe( const soleGround* ground, const soleProbe* probe )
 	{
 		return hit;
 	}
-	soleGroundTouch best = { .t = INFINITY };
+	soleGroundTouch best = { .t = (double)INFINITY };
 	soleCastTree( ground, &query, &best );
 	int64_t firstIndex = SOLE_GROUND_MAX_TRIANGLES;
 	for ( int32_t i = 0; i < ground->fieldCount; ++i )

@@ -93,10 +93,13 @@ typedef struct soleGroundTouch
 {
 	bool hit;
 	bool inside; // the start already touches
-	double t;    // travel along the direction. What is further than this is of no interest
-	double gap;  // inside: distance from the start to the point. Else 0
-	double
-	    facing; // distance of the start, moved by t, from the face's plane: who of two faces that meet is seen better
+	/// Travel along the direction. What is further than this is of no interest.
+	double t;
+	/// Inside: distance from the start to the point. Else 0.
+	double gap;
+	/// Which of two faces that share the point is meant: the one that the way meets more squarely; inside: the one
+	/// whose plane the start is further from.
+	double facing;
 	int64_t index;
 	uint32_t layer;
 	int32_t surface;
@@ -104,7 +107,7 @@ typedef struct soleGroundTouch
 	soleVec3 normal;
 } soleGroundTouch;
 
-/// One touch goes before another: nearer, then closer, then better seen, then the lower index. A total order over
+/// One touch goes before another: nearer, then closer, then met more squarely, then the lower index. A total order over
 /// faces, so that no order of visits shows in the answer.
 static inline bool soleGroundTouch_IsBefore( const soleGroundTouch* a, const soleGroundTouch* b )
 {

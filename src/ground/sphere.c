@@ -12,7 +12,8 @@
 //        )^2 t = -( B + sqrt( B^2 - A C ) ) / A,  with 0 <= m . e + t e . D <= |e|^2
 //   4. Corners: the centre meets a sphere, A = |D|^2, B = m . D, C = |m|^2 - r^2.
 // Edges run from their lower to their higher end (compared coordinate by coordinate), so that two triangles that share
-// one find the same t to the last bit, and which face is reported is decided by how well it is seen, not by rounding.
+// one find the same t to the last bit, and which face is reported is decided by how squarely the way meets it, not by
+// rounding: of a stair's nosing a falling sphere gets the tread, not the riser.
 // As the answer carries the face's normal, never the one from the edge to the centre, inner edges need no marks.
 #include "ground/ground_internal.h"
 
@@ -197,7 +198,7 @@ static void soleFillSphereTouch( const soleGroundQuery* query, const soleSweep* 
 		.inside = inside,
 		.t = t,
 		.gap = inside ? sqrt( soleDotPoint( point, point ) ) : 0.0,
-		.facing = sweep->height + t * along,
+		.facing = inside ? sweep->height : -along,
 		.point = soleVec( (float)( (double)query->start[0] + point.x ), (float)( (double)query->start[1] + point.y ),
 		    (float)( (double)query->start[2] + point.z ) ),
 		.normal = soleVec(

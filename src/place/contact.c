@@ -117,8 +117,7 @@ static void soleRelease( solePlaceWork* work, soleLegWork* leg )
 	state->slide.value = soleSub( leg->anchorGoal, soleAnimatedPlace( work, leg ) );
 	state->slide.velocity = soleSub( state->slide.velocity, byHeel ? leg->heelVelocity : leg->ballVelocity );
 	soleHalf half = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );
-	float quarter = soleQuarterTan( half );
-	state->turn = ( soleOffset1 ){ ( half.s < 0.0f ) != ( half.c < 0.0f ) ? -quarter : quarter, 0.0f };
+	state->turn = ( soleOffset1 ){ soleQuarterTan( half ), 0.0f };
 	state->flags &= ~(uint32_t)( sole_stateLocked | sole_stateByHeel );
 	state->time = 0.0f;
 	leg->out->flags |= (uint32_t)sole_legReleased;

@@ -141,20 +141,16 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 	float sine = soleSqrtF( 1.0f - c * c );
 	soleVec3 u = soleScale( 1.0f / wl, wp );
 	soleVec3 v = soleCross( side, u );
-	soleHalf best = { 1.0f, 0.0f };
-	bool found = false;
+	soleHalf roots[2];
 	for ( int32_t i = 0; i < 2; ++i )
 	{
 		soleVec3 a = soleScale( r, soleMulAdd( soleScale( c, u ), i == 0 ? sine : -sine, v ) );
-		soleHalf half = soleMakeHalf( soleDot( ap, a ), soleDot( side, soleCross( ap, a ) ) );
-		// Positive turns about side raise the toes: the heel rises with negative ones.
-		if ( half.s < 0.0f && ( found == false || half.s > best.s ) )
-		{
-			best = half;
-			found = true;
-		}
+		roots[i] = soleMakeHalf( soleDot( ap, a ), soleDot( side, soleCross( ap, a ) ) );
 	}
-	if ( found == false )
+	// The nearer root is the one that the foot meets on its way. Positive turns about side raise the toes: where that
+	// is the way to the hip, lifting the heel is of no help.
+	soleHalf best = roots[0].s * roots[0].s <= roots[1].s * roots[1].s ? roots[0] : roots[1];
+	if ( !( best.s < 0.0f ) )
 	{
 		return;
 	}

@@ -1,0 +1,525 @@
+// SPDX-License-Identifier: MIT
+// What a model has, as items of glTF: clips, materials, meshes, skins, nodes.
+#include "gltf_internal.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum
+{
+	tool_targetVertices = 34962,
+	tool_targetIndices = 34963
+};
+
+// ------------------------------------------------------------------------------------------------ clips
+
+/// Bytes of a clip, which share one view.
+typedef struct toolClipBytes
+{
+	uint8_t* bytes;
+	size_t count;
+	size_t view;
+} toolClipBytes;
+
+static size_t toolAddClipFloats( toolClipBytes* data, const float* values, size_t count )
+{
+	size_t at = data->count;
+	data->bytes = toolGrow( data->bytes, at + count * sizeof( float ), 1 );
+	memcpy( data->bytes + at, values, count * sizeof( float ) );
+	data->count += count * sizeof( float );
+	return at;
+}
+
+/// The accessor of a channel's times: that of an earlier channel where they are equal.
+static size_t toolAddTimes(
+    toolBuilder* builder, toolClipBytes* data, const toolClip* clip, int32_t index, const size_t* accessors )
+{
+	const toolChannel* channel = clip->channels + index;
+	size_t count = (size_t)channel->keyCount;
+	for ( int32_t i = 0; i < index; ++i )
+	{
+		const toolChannel* other = clip->channels + i;
+		if ( other->keyCount == channel->keyCount &&
+		    memcmp( other->times, channel->times, count * sizeof( float ) ) == 0 )
+		{
+			return accessors[i];
+		}
+	}
+	size_t at = toolAddClipFloats( data, channel->times, count );
+	return toolAddAccessor( builder, data->view, at, 5126, "SCALAR", count, channel->times, 1 );
+}
+
+static void toolAddSampler( toolJsonText* out, size_t input, size_t output, toolInterpolation interpolation )
+{
+	static const char* const names[] = { "\"LINEAR\"", "\"STEP\"", "\"CUBICSPLINE\"" };
+	toolOpenItem( out );
+	toolAddKey( out, "input" );
+	toolAddJsonInteger( out, input );
+	toolAddKey( out, "output" );
+	toolAddJsonInteger( out, output );
+	toolAddKey( out, "interpolation" );
+	toolAddJson( out, names[interpolation] );
+	toolAddJson( out, "}" );
+}
+
+static void toolAddTarget( toolJsonText* out, int32_t sampler, const toolChannel* channel )
+{
+	static const char* const names[] = { "\"translation\"", "\"rotation\"", "\"scale\"" };
+	toolOpenItem( out );
+	toolAddKey( out, "sampler" );
+	toolAddJsonInteger( out, (size_t)sampler );
+	toolAddKey( out, "target" );
+	toolAddJson( out, "{\"node\":" );
+	toolAddJsonInteger( out, (size_t)channel->node );
+	toolAddKey( out, "path" );
+	toolAddJson( out, names[channel->path] );
+	toolAddJson( out, "}}" );
+}
+
+void toolBuildClip( toolBuilder* builder, const toolClip* clip )
+{
+	size_t* inputs = toolAlloc( (size_t)clip->channelCount, sizeof( size_t ) );
+	toolClipBytes data = { .view = builder->viewCount };
+	toolJsonText samplers = { 0 };
+	toolJsonText targets = { 0 };
+	for ( int32_t i = 0; i < clip->channelCount; ++i )
+	{
+		const toolChannel* channel = clip->channels + i;
+		inputs[i] = toolAddTimes( builder, &data, clip, i, inputs );
+		bool turns = channel->path == tool_pathRotation;
+		size_t count = (size_t)channel->keyCount * ( channel->interpolation == tool_cubic ? 3 : 1 );
+		size_t at = toolAddClipFloats( &data, channel->values, count * ( turns ? 4 : 3 ) );
+		size_t output = toolAddAccessor( builder, data.view, at, 5126, turns ? "VEC4" : "VEC3", count, NULL, 0 );
+		toolAddSampler( &samplers, inputs[i], output, channel->interpolation );
+		toolAddTarget( &targets, i, channel );
+	}
+	toolAddView( builder, data.bytes, data.count, 0 );
+	toolJsonText* out = &builder->clips;
+	toolOpenItem( out );
+	toolAddKey( out, "name" );
+	toolAddJsonString( out, clip->name );
+	toolAddKey( out, "samplers" );
+	toolAddJson( out, "[" );
+	toolAddJson( out, samplers.text );
+	toolAddJson( out, "]" );
+	toolAddKey( out, "channels" );
+	toolAddJson( out, "[" );
+	toolAddJson( out, targets.text );
+	toolAddJson( out, "]" );
+	if ( clip->extras != NULL )
+	{
+		toolAddKey( out, "extras" );
+		toolAddJson( out, clip->extras );
+	}
+	toolAddJson( out, "}" );
+	free( samplers.text );
+	free( targets.text );
+	free( data.bytes );
+	free( inputs );
+}
+
+// ------------------------------------------------------------------------------------------------ meshes
+
+static void toolAddName( toolJsonText* out, const char* name )
+{
+	if ( *name != 0 )
+	{
+		toolAddKey( out, "name" );
+		toolAddJsonString( out, name );
+	}
+}
+
+void toolBuildMaterial( toolBuilder* builder, const toolMaterial* material )
+{
+	toolJsonText* out = &builder->materials;
+	toolOpenItem( out );
+	toolAddName( out, material->name );
+	float color[4];
+	for ( int i = 0; i < 4; ++i )
+	{
+		color[i] = soleClampF( material->color[i], 0.0f, 1.0f );
+	}
+	toolAddKey( out, "pbrMetallicRoughness" );
+	toolAddJson( out, "{\"baseColorFactor\":" );
+	toolAddJsonFloats( out, color, 4 );
+	toolAddKey( out, "metallicFactor" );
+	toolAddJson( out, "0" );
+	toolAddKey( out, "roughnessFactor" );
+	toolAddJsonFloat( out, soleClampF( material->roughness, 0.0f, 1.0f ) );
+	toolAddJson( out, "}" );
+	if ( color[3] < 1.0f )
+	{
+		toolAddKey( out, "alphaMode" );
+		toolAddJson( out, "\"BLEND\"" );
+	}
+	if ( material->doubleSided )
+	{
+		toolAddKey( out, "doubleSided" );
+		toolAddJson( out, "true" );
+	}
+	toolAddJson( out, "}" );
+	++builder->materialCount;
+}
+
+/// Weights of one vertex that sum to 1, none of a joint twice, and joint 0 where there is no weight.
+static void toolCleanInfluences( int32_t count, uint16_t* joints, float* weights )
+{
+	double sum = 0.0;
+	int32_t used = 0;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		weights[i] = weights[i] > 0.0f ? weights[i] : 0.0f;
+		for ( int32_t j = 0; j < i && weights[i] > 0.0f; ++j )
+		{
+			if ( weights[j] > 0.0f && joints[j] == joints[i] )
+			{
+				weights[j] += weights[i];
+				weights[i] = 0.0f;
+			}
+		}
+	}
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		sum += (double)weights[i];
+		used += weights[i] > 0.0f ? 1 : 0;
+		joints[i] = weights[i] > 0.0f ? joints[i] : 0;
+	}
+	if ( used == 0 )
+	{
+		weights[0] = 1.0f;
+		return;
+	}
+	double off = sum > 1.0 ? sum - 1.0 : 1.0 - sum;
+	if ( off <= 1e-7 * (double)used )
+	{
+		return; // what is normalised but for rounding stays bit by bit
+	}
+	int32_t largest = 0;
+	double rest = 1.0;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		weights[i] = (float)( (double)weights[i] / sum );
+		rest -= (double)weights[i];
+		joints[i] = weights[i] > 0.0f ? joints[i] : 0;
+		largest = weights[i] > weights[largest] ? i : largest;
+	}
+	weights[largest] = (float)( (double)weights[largest] + rest );
+}
+
+/// JOINTS_n and WEIGHTS_n of four influences each.
+static void toolAddInfluences( toolBuilder* builder, toolJsonText* attributes, const toolPrimitive* primitive )
+{
+	size_t vertexCount = (size_t)primitive->vertexCount;
+	size_t influences = (size_t)primitive->influences;
+	uint16_t* joints = toolAlloc( vertexCount * influences, sizeof( uint16_t ) );
+	float* weights = toolAlloc( vertexCount * influences, sizeof( float ) );
+	memcpy( joints, primitive->joints, vertexCount * influences * sizeof( uint16_t ) );
+	memcpy( weights, primitive->weights, vertexCount * influences * sizeof( float ) );
+	bool narrow = true;
+	for ( size_t i = 0; i < vertexCount; ++i )
+	{
+		toolCleanInfluences( (int32_t)influences, joints + i * influences, weights + i * influences );
+		for ( size_t j = 0; j < influences; ++j )
+		{
+			narrow = narrow && joints[i * influences + j] < 256;
+		}
+	}
+	uint8_t* jointSet = toolAlloc( vertexCount * 8, 1 );
+	float* weightSet = toolAlloc( vertexCount * 4, sizeof( float ) );
+	for ( size_t set = 0; set < influences / 4; ++set )
+	{
+		for ( size_t i = 0; i < vertexCount * 4; ++i )
+		{
+			size_t from = i / 4 * influences + set * 4 + i % 4;
+			weightSet[i] = weights[from];
+			jointSet[narrow ? i : 2 * i] = (uint8_t)( joints[from] & 255 );
+			if ( narrow == false )
+			{
+				jointSet[2 * i + 1] = (uint8_t)( joints[from] >> 8 );
+			}
+		}
+		char key[32];
+		snprintf( key, sizeof key, "JOINTS_%zu", set );
+		size_t view = toolAddView( builder, jointSet, vertexCount * ( narrow ? 4 : 8 ), tool_targetVertices );
+		toolAddKey( attributes, key );
+		toolAddJsonInteger(
+		    attributes, toolAddAccessor( builder, view, 0, narrow ? 5121 : 5123, "VEC4", vertexCount, NULL, 0 ) );
+		snprintf( key, sizeof key, "WEIGHTS_%zu", set );
+		view = toolAddView( builder, weightSet, vertexCount * 16, tool_targetVertices );
+		toolAddKey( attributes, key );
+		toolAddJsonInteger( attributes, toolAddAccessor( builder, view, 0, 5126, "VEC4", vertexCount, NULL, 0 ) );
+	}
+	free( jointSet );
+	free( weightSet );
+	free( joints );
+	free( weights );
+}
+
+/// Normals of unit length; up where there is none.
+static size_t toolAddNormals( toolBuilder* builder, const toolPrimitive* primitive )
+{
+	size_t count = (size_t)primitive->vertexCount;
+	float* normals = toolAlloc( count * 3, sizeof( float ) );
+	for ( size_t i = 0; i < count; ++i )
+	{
+		const float* n = primitive->normals + 3 * i;
+		soleVec3 v = { n[0], n[1], n[2] };
+		float off = soleDot( v, v ) - 1.0f;
+		v = off > -1e-4f && off < 1e-4f ? v : soleNormalizeOr( v, soleVec( 0.0f, 1.0f, 0.0f ) );
+		normals[3 * i] = v.x;
+		normals[3 * i + 1] = v.y;
+		normals[3 * i + 2] = v.z;
+	}
+	size_t view = toolAddView( builder, normals, count * 12, tool_targetVertices );
+	free( normals );
+	return toolAddAccessor( builder, view, 0, 5126, "VEC3", count, NULL, 0 );
+}
+
+static size_t toolAddIndices( toolBuilder* builder, const toolPrimitive* primitive )
+{
+	size_t count = (size_t)primitive->indexCount;
+	// 65535 itself is kept free: it restarts strips
+	if ( primitive->vertexCount > UINT16_MAX )
+	{
+		size_t view = toolAddView( builder, primitive->indices, count * 4, tool_targetIndices );
+		return toolAddAccessor( builder, view, 0, 5125, "SCALAR", count, NULL, 0 );
+	}
+	uint16_t* narrow = toolAlloc( count, sizeof( uint16_t ) );
+	for ( size_t i = 0; i < count; ++i )
+	{
+		narrow[i] = (uint16_t)primitive->indices[i];
+	}
+	size_t view = toolAddView( builder, narrow, count * 2, tool_targetIndices );
+	free( narrow );
+	return toolAddAccessor( builder, view, 0, 5123, "SCALAR", count, NULL, 0 );
+}
+
+static void toolAddPrimitive(
+    toolBuilder* builder, toolJsonText* out, const toolPrimitive* primitive, size_t materialBase, bool withSkin )
+{
+	size_t count = (size_t)primitive->vertexCount;
+	size_t view = toolAddView( builder, primitive->positions, count * 12, tool_targetVertices );
+	toolOpenItem( out );
+	toolAddKey( out, "attributes" );
+	toolAddJson( out, "{\"POSITION\":" );
+	toolAddJsonInteger( out, toolAddAccessor( builder, view, 0, 5126, "VEC3", count, primitive->positions, 3 ) );
+	if ( primitive->normals != NULL )
+	{
+		toolAddKey( out, "NORMAL" );
+		toolAddJsonInteger( out, toolAddNormals( builder, primitive ) );
+	}
+	if ( withSkin )
+	{
+		toolAddInfluences( builder, out, primitive );
+	}
+	toolAddJson( out, "}" );
+	toolAddKey( out, "indices" );
+	toolAddJsonInteger( out, toolAddIndices( builder, primitive ) );
+	if ( primitive->material != SOLE_NONE )
+	{
+		toolAddKey( out, "material" );
+		toolAddJsonInteger( out, materialBase + (size_t)primitive->material );
+	}
+	toolAddJson( out, "}" );
+}
+
+/// Whether a skin moves every part of a mesh.
+static bool toolIsSkinned( const toolModel* model, int32_t mesh )
+{
+	bool used = false;
+	for ( int32_t i = 0; i < model->nodeCount; ++i )
+	{
+		used = used || ( model->nodes[i].mesh == mesh && model->nodes[i].skin != SOLE_NONE );
+	}
+	for ( int32_t i = 0; used && i < model->meshes[mesh].primitiveCount; ++i )
+	{
+		const toolPrimitive* primitive = model->meshes[mesh].primitives + i;
+		used = primitive->influences > 0 || primitive->indexCount == 0;
+	}
+	return used;
+}
+
+void toolBuildMeshes( toolBuilder* builder, const toolModel* model, bool withSkins, int32_t* meshMap )
+{
+	size_t materialBase = builder->materialCount;
+	for ( int32_t i = 0; i < model->materialCount; ++i )
+	{
+		toolBuildMaterial( builder, model->materials + i );
+	}
+	for ( int32_t i = 0; i < model->meshCount; ++i )
+	{
+		const toolMesh* mesh = model->meshes + i;
+		bool withSkin = withSkins && toolIsSkinned( model, i );
+		toolJsonText primitives = { 0 };
+		for ( int32_t j = 0; j < mesh->primitiveCount; ++j )
+		{
+			if ( mesh->primitives[j].indexCount > 0 )
+			{
+				toolAddPrimitive( builder, &primitives, mesh->primitives + j, materialBase, withSkin );
+			}
+		}
+		meshMap[i] = SOLE_NONE;
+		if ( primitives.count > 0 )
+		{
+			toolJsonText* out = &builder->meshes;
+			toolOpenItem( out );
+			toolAddName( out, mesh->name );
+			toolAddKey( out, "primitives" );
+			toolAddJson( out, "[" );
+			toolAddJson( out, primitives.text );
+			toolAddJson( out, "]}" );
+			meshMap[i] = (int32_t)builder->meshCount;
+			++builder->meshCount;
+		}
+		free( primitives.text );
+	}
+}
+
+// ------------------------------------------------------------------------------------------------ nodes
+
+void toolBuildSkins( toolBuilder* builder, const toolModel* model )
+{
+	for ( int32_t i = 0; i < model->skinCount; ++i )
+	{
+		const toolSkin* skin = model->skins + i;
+		size_t count = (size_t)skin->jointCount;
+		size_t view = toolAddView( builder, skin->inverseBind, count * 64, 0 );
+		toolJsonText* out = &builder->skins;
+		toolOpenItem( out );
+		toolAddName( out, skin->name );
+		toolAddKey( out, "inverseBindMatrices" );
+		toolAddJsonInteger( out, toolAddAccessor( builder, view, 0, 5126, "MAT4", count, NULL, 0 ) );
+		toolAddKey( out, "joints" );
+		toolAddJson( out, "[" );
+		for ( size_t j = 0; j < count; ++j )
+		{
+			toolAddJson( out, j > 0 ? "," : "" );
+			toolAddJsonInteger( out, (size_t)skin->joints[j] );
+		}
+		toolAddJson( out, "]}" );
+		++builder->skinCount;
+	}
+}
+
+static void toolAddPlacement( toolJsonText* out, soleTransform t )
+{
+	const float translation[3] = { t.translation.x, t.translation.y, t.translation.z };
+	const float rotation[4] = { t.rotation.x, t.rotation.y, t.rotation.z, t.rotation.w };
+	const float scale[3] = { t.scale.x, t.scale.y, t.scale.z };
+	if ( translation[0] != 0.0f || translation[1] != 0.0f || translation[2] != 0.0f )
+	{
+		toolAddKey( out, "translation" );
+		toolAddJsonFloats( out, translation, 3 );
+	}
+	if ( rotation[0] != 0.0f || rotation[1] != 0.0f || rotation[2] != 0.0f || rotation[3] != 1.0f )
+	{
+		toolAddKey( out, "rotation" );
+		toolAddJsonFloats( out, rotation, 4 );
+	}
+	if ( scale[0] != 1.0f || scale[1] != 1.0f || scale[2] != 1.0f )
+	{
+		toolAddKey( out, "scale" );
+		toolAddJsonFloats( out, scale, 3 );
+	}
+}
+
+/// How nodes hang together in the file.
+typedef struct toolNodeLinks
+{
+	int32_t* parents;
+	int32_t* first; // child
+	int32_t* next;  // sibling
+	bool* skinned;
+} toolNodeLinks;
+
+/// A skin moves its mesh past the node's own place, so that a skinned node without children may as well, and for some
+/// readers must, stand at the root without one.
+static toolNodeLinks toolLinkNodes( const toolModel* model, bool withSkins )
+{
+	size_t count = (size_t)model->nodeCount;
+	toolNodeLinks links = { .parents = toolAlloc( count, sizeof( int32_t ) ),
+		.first = toolAlloc( count, sizeof( int32_t ) ),
+		.next = toolAlloc( count, sizeof( int32_t ) ),
+		.skinned = toolAlloc( count, sizeof( bool ) ) };
+	bool* hasChild = toolAlloc( count, sizeof( bool ) );
+	for ( size_t i = 0; i < count; ++i )
+	{
+		const toolNode* node = model->nodes + i;
+		links.first[i] = SOLE_NONE;
+		links.next[i] = SOLE_NONE;
+		links.skinned[i] =
+		    withSkins && node->mesh != SOLE_NONE && node->skin != SOLE_NONE && toolIsSkinned( model, node->mesh );
+		if ( node->parent != SOLE_NONE )
+		{
+			hasChild[node->parent] = true;
+		}
+	}
+	for ( size_t i = count; i-- > 0; )
+	{
+		int32_t parent = links.skinned[i] && hasChild[i] == false ? SOLE_NONE : model->nodes[i].parent;
+		links.parents[i] = parent;
+		if ( parent != SOLE_NONE )
+		{
+			links.next[i] = links.first[parent];
+			links.first[parent] = (int32_t)i;
+		}
+	}
+	free( hasChild );
+	return links;
+}
+
+static void toolAddChildren( toolJsonText* out, const toolNodeLinks* links, int32_t node, size_t base )
+{
+	toolAddKey( out, "children" );
+	toolAddJson( out, "[" );
+	for ( int32_t child = links->first[node]; child != SOLE_NONE; child = links->next[child] )
+	{
+		toolAddJson( out, child != links->first[node] ? "," : "" );
+		toolAddJsonInteger( out, base + (size_t)child );
+	}
+	toolAddJson( out, "]" );
+}
+
+void toolBuildNodes( toolBuilder* builder, const toolModel* model, bool withSkins, const int32_t* meshMap )
+{
+	toolNodeLinks links = toolLinkNodes( model, withSkins );
+	size_t base = builder->nodeCount;
+	for ( int32_t i = 0; i < model->nodeCount; ++i )
+	{
+		const toolNode* node = model->nodes + i;
+		toolJsonText* out = &builder->nodes;
+		toolOpenItem( out );
+		toolAddName( out, node->name );
+		int32_t mesh = node->mesh != SOLE_NONE ? meshMap[node->mesh] : SOLE_NONE;
+		bool skinned = mesh != SOLE_NONE && links.skinned[i];
+		if ( mesh != SOLE_NONE )
+		{
+			toolAddKey( out, "mesh" );
+			toolAddJsonInteger( out, (size_t)mesh );
+		}
+		if ( skinned )
+		{
+			toolAddKey( out, "skin" );
+			toolAddJsonInteger( out, (size_t)node->skin );
+		}
+		if ( skinned == false || links.first[i] != SOLE_NONE )
+		{
+			toolAddPlacement( out, node->local );
+		}
+		if ( links.first[i] != SOLE_NONE )
+		{
+			toolAddChildren( out, &links, i, base );
+		}
+		toolAddJson( out, "}" );
+		if ( links.parents[i] == SOLE_NONE )
+		{
+			toolAddJson( &builder->sceneNodes, builder->sceneNodes.count > 0 ? "," : "" );
+			toolAddJsonInteger( &builder->sceneNodes, base + (size_t)i );
+		}
+		++builder->nodeCount;
+	}
+	free( links.parents );
+	free( links.first );
+	free( links.next );
+	free( links.skinned );
+}
