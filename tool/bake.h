@@ -73,7 +73,8 @@ void toolFreeBakeResult( toolBakeResult* result );
 
 /// The take as a clip "CLIP|METHOD" for the character's file. The node that carries the travel, all between it and the
 /// pelvis, legs and feet get a key a frame; all else keeps the clip's own keys, round after round.
+/// @param clipsFile where the clip comes from, for the new clip's extras. NULL: the character's file
 void toolMakeBakedClip( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
-    const char* methodName, const toolBakeResult* result, toolClip* clip );
+    const char* methodName, const char* clipsFile, const toolBakeResult* result, toolClip* clip );
 
 #endif

@@ -345,12 +345,16 @@ static void toolLoopChannel( toolClipMaker* maker, const toolChannel* own, int32
 
 // ----------------------------------------------------------------------------------------------------------- clip
 
-static char* toolMakeExtras( const toolClipMaker* maker, const char* methodName )
+static char* toolMakeExtras( const toolClipMaker* maker, const char* methodName, const char* clipsFile )
 {
 	const toolWalk* walk = &maker->result->walk;
 	const toolCharacter* character = maker->character;
 	struct json_object* inner = json_object_new_object();
 	json_object_object_add( inner, "clip", json_object_new_string( maker->bound->clip->name ) );
+	if ( clipsFile != NULL )
+	{
+		json_object_object_add( inner, "clips", json_object_new_string( clipsFile ) );
+	}
 	json_object_object_add( inner, "method", json_object_new_string( methodName ) );
 	json_object_object_add( inner, "fps", json_object_new_double( walk->fps ) );
 	json_object_object_add( inner, "frames", json_object_new_int( walk->frameCount ) );
@@ -367,7 +371,7 @@ static char* toolMakeExtras( const toolClipMaker* maker, const char* methodName 
 }
 
 void toolMakeBakedClip( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
-    const char* methodName, const toolBakeResult* result, toolClip* clip )
+    const char* methodName, const char* clipsFile, const toolBakeResult* result, toolClip* clip )
 {
 	*clip = ( toolClip ){
 		.name = toolFormat( "%s|%s", bound->clip->name, methodName ),
@@ -397,6 +401,6 @@ void toolMakeBakedClip( const toolCharacter* character, const toolBoundClip* bou
 			toolLoopChannel( &maker, own, node );
 		}
 	}
-	clip->extras = toolMakeExtras( &maker, methodName );
+	clip->extras = toolMakeExtras( &maker, methodName, clipsFile );
 	free( maker.keyed );
 }

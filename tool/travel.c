@@ -17,8 +17,7 @@
 #define SMOOTH_HALF_WINDOW 0.25 // s
 #define SMOOTH_SAMPLES 32
 #define MOTION_TRANSFORMS 4000000 // most that are sampled to find stride and floor
-#define TURN_OF_ROOT_BONE ( 10.0 * PI / 180.0 )
-#define TURN_OF_PELVIS ( 30.0 * PI / 180.0 )
+#define LEAST_TURN ( 10.0 * PI / 180.0 )
 #define LOOP_TOLERANCE 0.12 // of leg length: further than this from start to end is no loop
 
 typedef struct toolComplex
@@ -242,30 +241,44 @@ double toolLegLength( const toolCharacter* character )
 	return longest > 0.0 ? longest : 1.0;
 }
 
-// Is the pose at the end that of the start, moved along the floor? Asked of all leg joints.
-static bool toolDoesLoop( const toolCharacter* character, const toolBoundClip* bound, double legLength )
+// The furthest that a leg joint is from one pose to another, the first moved along the floor.
+static double toolComparePoses(
+    const toolCharacter* character, const soleTransform* from, soleTransform motion, const soleTransform* to )
 {
-	toolTracker tracker = toolMakeTracker( character, bound, character->rigDef.pelvis, true );
-	soleTransform* first = toolAlloc( 2 * (size_t)character->jointCount, sizeof *first );
-	soleTransform* last = first + character->jointCount;
-	toolSampleClip( character, bound, 0.0f, first );
-	toolSampleClip( character, bound, bound->duration, last );
-	toolPlaneMotion start = toolInvertPlane( toolFrameAt( &tracker, 0.0 ) );
-	toolPlaneMotion round = toolMulPlane( toolFrameAt( &tracker, (double)bound->duration ), start );
-	soleTransform motion = toolPlaneTransform( &tracker, round );
 	double worst = 0.0;
 	for ( int32_t i = 0; i < character->rigDef.legCount; ++i )
 	{
 		const soleLegDef* leg = character->rigDef.legs + i;
 		for ( int32_t j = 0; j < leg->jointCount; ++j )
 		{
-			soleVec3 a = toolPoseWorld( character, first, leg->joints[j] ).translation;
-			soleVec3 b = toolPoseWorld( character, last, leg->joints[j] ).translation;
+			soleVec3 a = toolPoseWorld( character, from, leg->joints[j] ).translation;
+			soleVec3 b = toolPoseWorld( character, to, leg->joints[j] ).translation;
 			worst = fmax( worst, (double)soleDistance( soleTransformPoint( motion, a ), b ) );
 		}
 	}
-	free( first );
-	return worst <= LOOP_TOLERANCE * legLength;
+	return worst;
+}
+
+// Is the pose at the end that of the start, moved along the floor? It may be one frame before it, for many loops are
+// written without the frame that repeats the first.
+static bool toolDoesLoop(
+    const toolCharacter* character, const toolBoundClip* bound, double frameRate, double legLength )
+{
+	toolTracker tracker = toolMakeTracker( character, bound, character->rigDef.pelvis, true );
+	double duration = (double)bound->duration;
+	double frame = fmin( 1.0 / frameRate, duration );
+	size_t joints = (size_t)character->jointCount;
+	soleTransform* poses = toolAlloc( 3 * joints, sizeof *poses );
+	toolSampleClip( character, bound, 0.0f, poses );
+	toolSampleClip( character, bound, (float)( duration - frame ), poses + joints );
+	toolSampleClip( character, bound, bound->duration, poses + 2 * joints );
+	toolPlaneMotion start = toolInvertPlane( toolFrameAt( &tracker, 0.0 ) );
+	toolPlaneMotion round = toolMulPlane( toolFrameAt( &tracker, duration ), start );
+	soleTransform motion = toolPlaneTransform( &tracker, round );
+	double apart = toolComparePoses( character, poses, motion, poses + 2 * joints );
+	double step = toolComparePoses( character, poses + joints, soleTransform_Identity(), poses + 2 * joints );
+	free( poses );
+	return apart <= fmax( LOOP_TOLERANCE * legLength, 1.5 * step );
 }
 
 static bool toolIsAncestor( const toolCharacter* character, int32_t ancestor, int32_t node )
@@ -314,14 +327,14 @@ static bool toolDoesTravel( const toolTracker* tracker, double legLength, toolTr
 	{
 		travel->kind = tool_travelOwn;
 		travel->turns = e.mostTurn > 0.03;
-		return e.net > 0.05 * legLength || e.furthest > 0.25 * legLength || e.netTurn > TURN_OF_ROOT_BONE;
+		return e.net > 0.05 * legLength || e.furthest > 0.25 * legLength || e.netTurn > LEAST_TURN;
 	}
 	// A body that falls, sits down or rises comes to be elsewhere without having travelled.
 	bool far = e.net - 2.0 * e.drop > 0.25 * legLength;
-	bool around = e.furthest - 2.0 * e.drop > 0.75 * legLength;
+	bool around = travel->loops == false && e.furthest - 2.0 * e.drop > 0.75 * legLength;
 	travel->kind = far && travel->loops ? tool_travelSteady : tool_travelSmooth;
-	travel->turns = e.netTurn > TURN_OF_ROOT_BONE || e.mostTurn > 1.5 * TURN_OF_PELVIS;
-	return far || around || ( e.netTurn > TURN_OF_PELVIS && e.drop < 0.25 * legLength );
+	travel->turns = e.netTurn > LEAST_TURN || e.mostTurn > 4.0 * LEAST_TURN;
+	return far || around;
 }
 
 // The topmost node from the pelvis up that travels is the one that the clip moves the character by.
@@ -411,7 +424,7 @@ toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* 
 	toolTravel travel = { .node = character->travel, .source = SOLE_NONE, .loop = soleTransform_Identity() };
 	double legLength = toolLegLength( character );
 	travel.frameRate = toolFindFrameRate( bound );
-	travel.loops = bound->duration > 0.0f && toolDoesLoop( character, bound, legLength );
+	travel.loops = bound->duration > 0.0f && toolDoesLoop( character, bound, (double)travel.frameRate, legLength );
 	if ( bound->duration > 0.0f )
 	{
 		toolFindRootMotion( character, bound, legLength, &travel );

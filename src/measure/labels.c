@@ -139,36 +139,52 @@ static double soleFindLowestCluster( double* heights, int32_t count, double legL
 	return heights[best + ( bestEnd - best ) / 2];
 }
 
-/// Of tracks in character space. Slow means slow along up: how fast an in-place clip's feet go along the floor is not
-/// known yet.
-static bool soleFindFloor( const soleTracks* tracks, double* floor )
+/// Slow along up. How fast an in-place clip's feet go along the floor is not known yet; but the faster they go, the
+/// less still they stand.
+static bool soleIsLevel( const soleTracks* tracks, soleVec3d velocity )
 {
-	*floor = 0.0;
-	int32_t capacity = tracks->frameCount * tracks->legCount * sole_trackCount;
-	double* heights = soleAlloc( NULL, (size_t)capacity * sizeof *heights );
-	if ( heights == NULL )
-	{
-		return false;
-	}
+	double climb = fabs( soleDotD( velocity, tracks->up ) );
+	double along = soleLengthD( soleRejectD( velocity, tracks->up ) );
+	return climb < fmax( SLOW * tracks->legLength, SPEED_SHARE * along );
+}
+
+static int32_t soleGatherHeights( const soleTracks* tracks, bool onlyLevel, double* heights )
+{
 	int32_t count = 0;
-	for ( int32_t i = 0; i < capacity; ++i )
+	for ( int32_t i = 0; i < tracks->frameCount * tracks->legCount * sole_trackCount; ++i )
 	{
 		int32_t track = i % sole_trackCount;
 		int32_t leg = i / sole_trackCount % tracks->legCount;
 		int32_t frame = i / sole_trackCount / tracks->legCount;
 		double height = soleDotD( tracks->points[i], tracks->up );
-		double climb = soleDotD( soleTrackVelocity( tracks, frame, leg, track ), tracks->up );
 		// What is not finite fails the comparisons.
-		if ( fabs( climb ) < SLOW * tracks->legLength && fabs( height ) < HUGE_VAL )
+		bool level = onlyLevel == false || soleIsLevel( tracks, soleTrackVelocity( tracks, frame, leg, track ) );
+		if ( level && fabs( height ) < HUGE_VAL )
 		{
 			heights[count++] = height;
 		}
 	}
+	return count;
+}
+
+/// Of tracks in character space.
+static bool soleFindFloor( const soleTracks* tracks, double* floor )
+{
+	*floor = 0.0;
+	size_t capacity = (size_t)tracks->frameCount * (size_t)tracks->legCount * sole_trackCount;
+	double* heights = soleAlloc( NULL, capacity * sizeof *heights );
+	if ( heights == NULL )
+	{
+		return false;
+	}
+	int32_t count = soleGatherHeights( tracks, true, heights );
+	// A clip in which nothing ever stands still is on the floor where it is lowest.
+	count = count > 0 ? count : soleGatherHeights( tracks, false, heights );
 	if ( count > 0 )
 	{
 		*floor = soleFindLowestCluster( heights, count, tracks->legLength );
 	}
-	soleFree( NULL, heights, (size_t)capacity * sizeof *heights );
+	soleFree( NULL, heights, capacity * sizeof *heights );
 	return count > 0;
 }
 
@@ -201,8 +217,7 @@ static int32_t soleFindStanceVelocities( const soleTracks* tracks, double floor,
 			double ball = soleDotD( *soleTrackPoint( tracks, frame, leg, sole_trackBall ), tracks->up );
 			int32_t track = heel < ball ? sole_trackHeel : sole_trackBall;
 			soleVec3d velocity = soleTrackVelocity( tracks, frame, leg, track );
-			double climb = fabs( soleDotD( velocity, tracks->up ) );
-			if ( fmin( heel, ball ) - floor < CLUSTER * tracks->legLength && climb < SLOW * tracks->legLength )
+			if ( fmin( heel, ball ) - floor < CLUSTER * tracks->legLength && soleIsLevel( tracks, velocity ) )
 			{
 				velocities[count++] = soleRejectD( velocity, tracks->up );
 			}
