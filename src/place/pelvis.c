@@ -15,7 +15,9 @@
 //
 // The offset is a spring relative to the root. A root that jumps (steps) or changes its speed does not take the pelvis
 // along: the jump is taken off the offset and the change of speed off its velocity, so that the pelvis goes on in the
-// world as it went. The legs' limits come after the spring: lag never over-extends a planted leg.
+// world as it went. The goal moves at a limited speed and the spring is fed that speed, so it follows without lag. The
+// legs' limits come after the spring, at the same limited speed: where a foot comes down too low too suddenly, it hangs
+// short of the ground for some frames, for a body that jumps shows more than a foot that lands late.
 #include "place/place.h"
 
 #define SLACK 0.055f       // D, in leg lengths
@@ -145,12 +147,34 @@ static void soleCompensateRoot( solePlaceWork* work, float legLength )
 	float size = extra < 0.0f ? -extra : extra;
 	float jump = soleMaxF( work->settings->pelvis.rootJump * legLength, JUMP_SPEED * legLength * dt );
 	state->pelvis.value -= extra;
+	state->pelvisGoal -= extra;
 	if ( size <= jump )
 	{
 		float speed = step / dt;
 		state->pelvis.velocity -= speed - state->rootSpeed;
 		state->rootSpeed = speed;
 	}
+}
+
+/// An offset within what the planted legs allow. Where their limits cross, reach wins and a leg folds.
+static float soleBind( soleWishes wishes, float offset )
+{
+	return wishes.any ? soleMinF( soleMaxF( offset, wishes.floor ), wishes.ceiling ) : offset;
+}
+
+/// One step towards the goal, by at most `most`.
+static void soleFollow( solePlaceWork* work, soleWishes wishes, float goal, float most )
+{
+	soleState* state = work->state;
+	float perSecond = 1.0f / work->timeStep;
+	float start = state->pelvis.value;
+	float move = soleClampF( goal - state->pelvisGoal, -most, most );
+	soleOffset1 spring = soleStepSpring(
+	    state->pelvis, state->pelvisGoal, move * perSecond, work->settings->pelvis.halfLife, work->timeStep );
+	state->pelvisGoal += move;
+	float step = soleClampF( soleBind( wishes, spring.value ) - start, -most, most );
+	state->pelvis.value = start + step;
+	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step * perSecond;
 }
 
 void soleMovePelvis( solePlaceWork* work )
@@ -165,31 +189,16 @@ void soleMovePelvis( solePlaceWork* work )
 	}
 	soleCompensateRoot( work, legLength );
 	soleWishes wishes = soleGatherWishes( work );
-	float goal = soleChooseOffset( wishes );
+	float goal = soleClampF( soleChooseOffset( wishes ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
 	if ( work->first )
 	{
-		state->pelvis = ( soleOffset1 ){ goal, 0.0f };
+		state->pelvis = ( soleOffset1 ){ soleBind( wishes, goal ), 0.0f };
+		state->pelvisGoal = state->pelvis.value;
 		state->rootSpeed = 0.0f;
 	}
-	state->pelvis = soleStepSpring( state->pelvis, goal, 0.0f, s->pelvis.halfLife, work->timeStep );
-
-	float low = -s->pelvis.down * legLength;
-	float high = s->pelvis.up * legLength;
-	if ( wishes.any )
+	else if ( work->timeStep > 0.0f )
 	{
-		low = soleMaxF( low, wishes.floor );
-		high = soleMinF( high, wishes.ceiling );
-		low = soleMinF( low, high ); // where they cross, reach wins and a leg folds
-	}
-	if ( state->pelvis.value > high )
-	{
-		state->pelvis.value = high;
-		state->pelvis.velocity = soleMinF( state->pelvis.velocity, 0.0f );
-	}
-	else if ( state->pelvis.value < low )
-	{
-		state->pelvis.value = low;
-		state->pelvis.velocity = soleMaxF( state->pelvis.velocity, 0.0f );
+		soleFollow( work, wishes, goal, s->pelvis.speed * legLength * work->timeStep );
 	}
 	float weight = soleClampF( work->frame->weight, 0.0f, 1.0f );
 	work->pelvisShift = soleFiniteOr( weight * state->pelvis.value, 0.0f );
