@@ -240,6 +240,19 @@ static char* toolNameClipsFile( const toolBakeOptions* options )
 	return name;
 }
 
+// A second clip of a name could not be told from the first.
+static bool toolCheckNameFree( const toolBakeJob* job, const char* clip, const char* method, toolError* error )
+{
+	char* name = toolFormat( "%s|%s", clip, method );
+	bool taken = toolFindClip( toolGltf_GetModel( job->gltf ), name ) != SOLE_NONE;
+	if ( taken )
+	{
+		toolFail( error, "%s: already has a clip '%s': bake from the file without it", job->options.character, name );
+	}
+	free( name );
+	return taken == false;
+}
+
 static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const toolTravel* travel,
     const toolBakeDef* def, toolBakedTake* taken, toolError* error )
 {
@@ -260,11 +273,6 @@ static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const 
 		toolReportTake( job, clip->name, &result, taken );
 	}
 	toolFreeBakeResult( &result );
-	if ( good && toolFindClip( toolGltf_GetModel( job->gltf ), clip->name ) != SOLE_NONE )
-	{
-		return toolFail(
-		    error, "%s: already has a clip '%s': bake from the file without it", job->options.character, clip->name );
-	}
 	return good;
 }
 
@@ -288,7 +296,8 @@ static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolE
 	for ( int32_t i = 0; i < options->methodCount && good; ++i )
 	{
 		def.method = options->methods[i];
-		good = toolBakeMethod( job, bound, &travel, &def, takes + i, error );
+		good = toolCheckNameFree( job, bound->clip->name, def.method->name, error ) &&
+		    toolBakeMethod( job, bound, &travel, &def, takes + i, error );
 	}
 	if ( good && options->json == false )
 	{
