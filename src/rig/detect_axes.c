@@ -102,6 +102,10 @@ static soleVec3 soleSumFeet( const soleDetect* detect )
 	for ( int32_t i = 0; i < detect->legCount && detect->dominant != NULL; ++i )
 	{
 		const soleFoundLeg* leg = detect->legs + i;
+		if ( leg->hasVirtualAnkle && leg->detachedFoot == SOLE_NONE )
+		{
+			continue; // the end of a shin points nowhere
+		}
 		int32_t foot = soleFoundLeg_GetFoot( leg );
 		soleVec3 low = soleVec( 1e30f, 1e30f, 1e30f );
 		soleVec3 high = soleNeg( low );
@@ -227,7 +231,7 @@ static void soleSortLegs( soleDetect* detect )
 		{
 			const soleFoundLeg* other = detect->legs + j - 1;
 			float otherFront = soleDot( detect->position[other->joints[0]], detect->forward );
-			bool level = fabsf( front - otherFront ) < 0.05f * leg.length || detect->legCount <= 2;
+			bool level = fabsf( front - otherFront ) < 0.01f * leg.length || detect->legCount <= 2;
 			if ( level ? other->side <= leg.side : otherFront > front )
 			{
 				break;
@@ -397,7 +401,9 @@ soleVec3 soleFindHinge( soleDetect* detect, int32_t index )
 	// Only two-legged walkers have knees that are known to bend about the lateral axis.
 	bool biped = detect->legCount == 2 && leg->jointCount <= 3;
 	float side = soleDot( bindAxis, detect->lateral );
-	if ( degrees >= 2.0f && ( biped == false || side > 0.82f || ( side < -0.82f && degrees > 12.0f ) ) )
+	// A slight bend tells its axis badly: it must agree with the facing to be believed.
+	float least = degrees < 10.0f ? 0.94f : 0.82f;
+	if ( degrees >= 2.0f && ( biped == false || side > least || ( side < -0.82f && degrees > 12.0f ) ) )
 	{
 		soleAddFinding( detect, side < -0.82f && biped ? sole_warning : sole_info, index, SOLE_NONE,
 		    side < -0.82f && biped ? "fine for a bird's leg; else bend the knee forward in the bind pose" : "",
@@ -407,7 +413,7 @@ soleVec3 soleFindHinge( soleDetect* detect, int32_t index )
 	}
 	soleVec3 sampled = soleSampleHinge( detect, leg );
 	soleVec3 sampledAxis = soleNormalizeOr( sampled, zero );
-	if ( soleLength( sampled ) > 0.2f && ( biped == false || soleDot( sampledAxis, detect->lateral ) > 0.7f ) )
+	if ( soleLength( sampled ) > 0.2f && ( biped == false || soleDot( sampledAxis, detect->lateral ) > 0.82f ) )
 	{
 		soleAddFinding( detect, sole_info, index, SOLE_NONE, "",
 		    "hinge from the clips: the bind pose has the knee straight or bent sideways (%.1f degrees)",
@@ -430,9 +436,37 @@ soleVec3 soleFindHinge( soleDetect* detect, int32_t index )
 
 // ---------------------------------------------------------------------------------------------------------- checks
 
+static void soleCheckFoot( soleDetect* detect, int32_t index )
+{
+	const soleFoundLeg* leg = detect->legs + index;
+	soleJointLabel last = soleLabelJoint( detect, leg->joints[leg->jointCount - 1] );
+	if ( leg->ankleFromSkin )
+	{
+		soleAddFinding( detect, sole_warning, index, SOLE_NONE, "add an ankle joint if the foot should tilt",
+		    "has no ankle joint: the leg ends at the middle of the skin's lowest vertices below %s", last.text );
+	}
+	else if ( leg->hasVirtualAnkle && leg->detachedFoot != SOLE_NONE )
+	{
+		soleAddFinding( detect, sole_info, index, SOLE_NONE, "",
+		    "has no ankle joint below %s: the leg ends where the detached foot %s is", last.text,
+		    soleLabelJoint( detect, leg->detachedFoot ).text );
+	}
+	else if ( leg->hasVirtualAnkle )
+	{
+		soleAddFinding( detect, sole_warning, index, SOLE_NONE, "add an ankle joint or give virtualAnkle by hand",
+		    "no joint and no skin tells where the shin below %s ends: taken as long as the thigh", last.text );
+	}
+	else if ( leg->toeCount == 0 && leg->jointCount <= 3 )
+	{
+		soleAddFinding( detect, sole_info, index, SOLE_NONE, "", "no toe joint below %s: the foot is one stiff piece",
+		    soleLabelJoint( detect, soleFoundLeg_GetFoot( leg ) ).text );
+	}
+}
+
 static void soleCheckLeg( soleDetect* detect, int32_t index )
 {
 	const soleFoundLeg* leg = detect->legs + index;
+	soleCheckFoot( detect, index );
 	for ( int32_t i = 1; i < leg->jointCount; ++i )
 	{
 		float bone = soleDistance( detect->position[leg->joints[i - 1]], detect->position[leg->joints[i]] );

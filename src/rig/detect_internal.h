@@ -33,6 +33,7 @@ typedef struct soleJointName
 	uint32_t word; // hash of the word that named the part
 	bool end;      // the name says that it only marks the end of a bone
 	bool control;  // the name says that it is a helper: twist, IK target
+	bool girdle;   // the name says that it carries a leg without being part of it
 } soleJointName;
 
 /// A leg on its way to a soleLegDef.
@@ -45,7 +46,8 @@ typedef struct soleFoundLeg
 	int32_t tip; // a joint at the toes' end that is no toe joint, or SOLE_NONE
 	int32_t detachedFoot;
 	bool hasVirtualAnkle;
-	soleVec3 ankle; // of the ankle joint or virtual
+	bool ankleFromSkin; // the virtual ankle is where the skin ends
+	soleVec3 ankle;     // of the ankle joint or virtual
 	soleSide side;
 	bool sideFromName;
 	int32_t partner; // the leg on the other side, or SOLE_NONE

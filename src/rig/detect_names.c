@@ -80,6 +80,7 @@ static const char* const soleEndWords[] = { "end", "nub", "tip", "leaf", "site",
 static const char* const soleControlWords[] = { "ik", "fk", "mch", "org", "ctrl", "ctl", "control", "controller",
 	"target", "pole", "tweak", "twist", "roll", "helper", "driver", "aim", "vis", "socket", "attach", "offset",
 	"corrective", "jiggle" };
+static const char* const soleGirdleWords[] = { "pelvis", "clavicle", "scapula", "anchor", "girdle" };
 static const char* const soleMarkWords[] = { "j", "b", "bip", "biped", "valvebiped", "def", "deform", "mixamorig",
 	"avatar", "armature", "rig", "jnt", "joint", "bone", "bn", "bind", "skin", "sk", "cc", "base", "character", "char",
 	"skel", "skeleton" };
@@ -265,6 +266,7 @@ static soleJointName soleParseName( const char* name, const soleMarks* marks )
 			result.control = true;
 			continue;
 		}
+		result.girdle = result.girdle || IS_ONE_OF( word, soleGirdleWords );
 		strcat( whole, word );
 		if ( soleIsMark( marks, word, i == 0, i == words.count - 1 ) == false )
 		{

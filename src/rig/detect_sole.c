@@ -14,7 +14,8 @@
 #define HUMAN_TOE 0.07f         // toe tip in front of the toe joint
 #define HUMAN_FOOT 0.2f         // toe tip in front of the ankle
 #define HUMAN_HALF_WIDTH 0.045f // of the ball
-#define HUMAN_ORIGIN 0.03f      // a floor this close to the origin is the origin's
+#define HUMAN_ORIGIN 0.06f      // a floor this close to the origin is the origin's
+#define HUMAN_BALL 0.17f        // an end this close to the ankle is the ball's, not the toes'
 #define BALL_SHARE 0.73f        // where the ball is on a sole, from heel 0 to toe 1
 
 typedef struct soleFootFrame
@@ -253,9 +254,6 @@ void soleFindVirtualAnkle( soleDetect* detect, int32_t index )
 	frame.lateral = soleCross( detect->up, frame.forward );
 	if ( soleMarkFootSkin( detect, leg ) == false )
 	{
-		soleAddFinding( detect, sole_warning, index, SOLE_NONE, "add an ankle joint or give virtualAnkle by hand",
-		    "no joint and no skin tells where the shin below %s ends: taken as long as the thigh",
-		    soleLabelJoint( detect, leg->joints[leg->jointCount - 1] ).text );
 		return;
 	}
 	int32_t count = soleGatherFoot( detect, &frame );
@@ -275,9 +273,7 @@ void soleFindVirtualAnkle( soleDetect* detect, int32_t index )
 	}
 	leg->ankle = solePlacePoint( &frame, middle[0], middle[1], height );
 	soleFoundLeg_Measure( detect, leg );
-	soleAddFinding( detect, sole_warning, index, SOLE_NONE, "add an ankle joint if the foot should tilt",
-	    "has no ankle joint: the leg ends at the middle of the skin's lowest vertices below %s",
-	    soleLabelJoint( detect, leg->joints[leg->jointCount - 1] ).text );
+	leg->ankleFromSkin = true;
 }
 
 // -------------------------------------------------------------------------------------------------------- standing
@@ -315,7 +311,8 @@ static float soleLowest( const soleDetect* detect, const soleFoundLeg* leg )
 	}
 	if ( leg->tip != SOLE_NONE )
 	{
-		low = soleMinF( low, soleDot( detect->position[leg->tip], detect->up ) );
+		float below = leg->toeCount == 0 ? HUMAN_TOE_JOINT * unit : 0.0f;
+		low = soleMinF( low, soleDot( detect->position[leg->tip], detect->up ) - below );
 	}
 	return low;
 }
@@ -458,9 +455,11 @@ static soleSolePoints soleFindJointSole( soleDetect* detect, int32_t index, cons
 		heel = ankle - 0.02f * leg->length;
 		toe = ankle + 0.02f * leg->length;
 	}
+	float end = leg->tip != SOLE_NONE ? soleDot( detect->position[leg->tip], frame->forward ) : ankle;
+	bool endsAtBall = leg->toeCount == 0 && end - ankle < HUMAN_BALL * unit;
 	if ( leg->tip != SOLE_NONE )
 	{
-		toe = soleDot( detect->position[leg->tip], frame->forward );
+		toe = end + ( endsAtBall ? HUMAN_TOE * unit : 0.0f );
 	}
 	else if ( leg->toeCount > 0 )
 	{
@@ -471,6 +470,10 @@ static soleSolePoints soleFindJointSole( soleDetect* detect, int32_t index, cons
 	ball = heel + BALL_SHARE * ( toe - heel );
 	float middle = soleDot( foot, frame->lateral );
 	float fore = middle;
+	if ( leg->tip != SOLE_NONE && endsAtBall )
+	{
+		ball = soleClampF( end, heel, toe );
+	}
 	if ( leg->toeCount > 0 )
 	{
 		ball = soleClampF( soleDot( detect->position[leg->toes[0]], frame->forward ), heel, toe );

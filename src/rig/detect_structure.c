@@ -190,19 +190,24 @@ static float soleBone( const soleDetect* detect, const int32_t* joints, int32_t 
 	return soleDistance( detect->position[joints[end - 1]], detect->position[joints[end]] );
 }
 
+/// Whether the way from one joint to another runs along the floor: by more than that share of how far it goes down.
+static bool soleRunsAlong( const soleDetect* detect, const soleAttempt* attempt, int32_t from, int32_t to, float share )
+{
+	soleVec3 way = soleSub( detect->position[to], detect->position[from] );
+	return soleLength( soleReject( way, attempt->up ) ) > -share * soleDot( way, attempt->up );
+}
+
 /// Index of the joint where the leg ends and the foot begins: the first low one from which the way to the tip runs
-/// along the floor rather than down to it.
+/// along the floor rather than down to it, the next bone included, or else a hock would count.
 static int32_t soleFindAnkleIndex(
     const soleDetect* detect, const soleAttempt* attempt, const int32_t* joints, int32_t count )
 {
 	float hip = soleHeight( detect, attempt, joints[0] );
 	for ( int32_t i = 2; i < count - 1; ++i )
 	{
-		float height = soleHeight( detect, attempt, joints[i] );
-		soleVec3 rest = soleSub( detect->position[joints[count - 1]], detect->position[joints[i]] );
-		float drop = -soleDot( rest, attempt->up );
-		float run = soleLength( soleReject( rest, attempt->up ) );
-		if ( height < 0.35f * hip && run > drop )
+		if ( soleHeight( detect, attempt, joints[i] ) < 0.35f * hip &&
+		    soleRunsAlong( detect, attempt, joints[i], joints[count - 1], 0.7f ) &&
+		    soleRunsAlong( detect, attempt, joints[i], joints[i + 1], 0.5f ) )
 		{
 			return i;
 		}
@@ -223,7 +228,7 @@ static bool soleMakeLeg(
 		longest = soleMaxF( longest, soleBone( detect, joints, i ) );
 	}
 	// A short bone that only leads from the spine out to the hip is no part of the leg.
-	while ( ankle >= 3 && soleBone( detect, joints, 1 ) < 0.45f * longest )
+	while ( ankle >= 3 && ( detect->names[joints[0]].girdle || soleBone( detect, joints, 1 ) < 0.45f * longest ) )
 	{
 		joints += 1;
 		count -= 1;
@@ -257,7 +262,42 @@ static bool soleMakeLeg(
 	soleFoundLeg_Measure( detect, leg );
 	leg->side = detect->names[leg->joints[0]].side;
 	leg->side = leg->side != sole_center ? leg->side : detect->names[leg->joints[1]].side;
-	return hip > 0.1f * leg->length && leg->length > 1e-3f * detect->size;
+	float highest = hip; // a spider's body is low between its knees
+	for ( int32_t i = 1; i < leg->jointCount; ++i )
+	{
+		highest = soleMaxF( highest, soleHeight( detect, attempt, leg->joints[i] ) );
+	}
+	return highest > 0.1f * leg->length && leg->length > 1e-3f * detect->size;
+}
+
+/// A low short chain that begins where another leg ends is that leg's foot, hung elsewhere.
+static void soleMergeFeet( const soleDetect* detect, soleAttempt* attempt )
+{
+	for ( int32_t i = 0; i < attempt->legCount; ++i )
+	{
+		soleFoundLeg* leg = attempt->legs + i;
+		int32_t best = SOLE_NONE;
+		float bestDistance = 0.15f * attempt->height;
+		for ( int32_t j = 0; j < attempt->legCount; ++j )
+		{
+			const soleFoundLeg* foot = attempt->legs + j;
+			float distance = soleDistance( detect->position[foot->joints[0]], leg->ankle );
+			if ( j != i && leg->detachedFoot == SOLE_NONE && foot->length < 0.5f * leg->length &&
+			    distance < bestDistance && soleDetect_IsBelow( detect, leg->joints[0], foot->joints[0] ) == false )
+			{
+				best = j;
+				bestDistance = distance;
+			}
+		}
+		if ( best != SOLE_NONE )
+		{
+			leg->detachedFoot = attempt->legs[best].joints[0];
+			attempt->legCount -= 1;
+			memmove( attempt->legs + best, attempt->legs + best + 1,
+			    (size_t)( attempt->legCount - best ) * sizeof( soleFoundLeg ) );
+			i -= best <= i ? 1 : 0;
+		}
+	}
 }
 
 /// A paw that hangs from elsewhere, and the leg that ends where it is.
@@ -417,6 +457,7 @@ static void soleTryUp( soleDetect* detect, soleAttempt* attempt, soleVec3 up )
 		attempt->legCount += attempt->chains[i].used ? 1 : 0;
 	}
 	soleFindDetachedLegs( detect, attempt );
+	soleMergeFeet( detect, attempt );
 	soleKeepPairs( detect, attempt );
 	for ( int32_t i = 0; i < attempt->legCount; ++i )
 	{

@@ -121,9 +121,4 @@ void soleFindToes( soleDetect* detect, int32_t index )
 		float reach = soleLength( soleReject( soleSub( detect->position[toe], ankle ), detect->up ) );
 		toe = soleFindFarChild( detect, toe, ankle, reach + least );
 	}
-	if ( leg->toeCount == 0 && leg->tip == SOLE_NONE && leg->jointCount <= 3 )
-	{
-		soleAddFinding( detect, sole_info, index, SOLE_NONE, "", "no toe joint below %s: the foot is one stiff piece",
-		    soleLabelJoint( detect, foot ).text );
-	}
 }

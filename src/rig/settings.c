@@ -47,6 +47,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( pelvis.up, "L", 0, 1, 0.1, "Furthest that the pelvis goes up." ),
 	FLOAT( pelvis.halfLife, "s", 0, 2, 0.1, "How fast the pelvis follows the legs." ),
 	FLOAT( pelvis.rootJump, "L", 0, 1, 0.02, "A root that moves more than this beyond its speed has jumped." ),
+	FLOAT( pelvis.heelFirst, "", 0, 1, 0.5, "Share of the heel lift that is used up before the pelvis goes down." ),
 	FLOAT( leg.reach, "", 0.5, 1, 0.995, "Furthest extension of a leg as a share of its bones." ),
 	FLOAT( leg.softZone, "L", 0, 0.3, 0.02, "The reach limit is approached softly over this much." ),
 	FLOAT( leg.fold, "", 0, 0.9, 0.2, "Least extension of a leg as a share of its bones." ),
