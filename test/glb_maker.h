@@ -202,4 +202,57 @@ static inline toolGltf* testOpenFile( const char* path )
 	return gltf;
 }
 
+static inline uint32_t testU32( const uint8_t* bytes )
+{
+	return (uint32_t)bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
+static inline void testSameFile( const char* a, const char* b )
+{
+	size_t countA = 0;
+	size_t countB = 0;
+	uint8_t* bytesA = testReadBytes( a, &countA );
+	uint8_t* bytesB = testReadBytes( b, &countB );
+	assert_int_equal( countA, countB );
+	assert_memory_equal( bytesA, bytesB, countA );
+	free( bytesA );
+	free( bytesB );
+}
+
+static inline void testSameClip( const toolClip* a, const toolClip* b )
+{
+	assert_string_equal( a->name, b->name );
+	assert_int_equal( a->channelCount, b->channelCount );
+	assert_true( a->start == b->start && a->end == b->end );
+	assert_true( ( a->extras == NULL ) == ( b->extras == NULL ) );
+	if ( a->extras != NULL )
+	{
+		assert_string_equal( a->extras, b->extras );
+	}
+	for ( int32_t i = 0; i < a->channelCount; ++i )
+	{
+		const toolChannel* x = a->channels + i;
+		const toolChannel* y = b->channels + i;
+		assert_int_equal( x->node, y->node );
+		assert_int_equal( x->path, y->path );
+		assert_int_equal( x->interpolation, y->interpolation );
+		assert_int_equal( x->keyCount, y->keyCount );
+		size_t size = ( x->path == tool_pathRotation ? 4u : 3u ) * ( x->interpolation == tool_cubic ? 3u : 1u );
+		assert_memory_equal( x->times, y->times, (size_t)x->keyCount * sizeof( float ) );
+		assert_memory_equal( x->values, y->values, (size_t)x->keyCount * size * sizeof( float ) );
+	}
+}
+
+static inline void testSameNodes( const toolModel* a, const toolModel* b, int32_t count )
+{
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		assert_string_equal( a->nodes[i].name, b->nodes[i].name );
+		assert_int_equal( a->nodes[i].parent, b->nodes[i].parent );
+		assert_int_equal( a->nodes[i].mesh, b->nodes[i].mesh );
+		assert_int_equal( a->nodes[i].skin, b->nodes[i].skin );
+		assert_memory_equal( &a->nodes[i].local, &b->nodes[i].local, sizeof( soleTransform ) );
+	}
+}
+
 #endif
