@@ -15,9 +15,10 @@
 //
 // The offset is a spring relative to the root. A root that jumps (steps) or changes its speed does not take the pelvis
 // along: the jump is taken off the offset and the change of speed off its velocity, so that the pelvis goes on in the
-// world as it went. The goal moves at a limited speed and the spring is fed that speed, so it follows without lag. The
-// legs' limits come after the spring, at the same limited speed: where a foot comes down too low too suddenly, it hangs
-// short of the ground for some frames, for a body that jumps shows more than a foot that lands late.
+// world as it went. The legs' limits come after the spring: its lag over-extends no planted leg. Both move the pelvis
+// at a limited speed: where a foot comes down too low too suddenly, it hangs short of the ground for some frames, for a
+// body that jumps shows more than a foot that lands late. (Feeding the spring its goal's velocity follows closer but
+// doubles the jerk at each change of the goal's pace: tried on ramps and stairs, and left out.)
 #include "place/place.h"
 
 #define SLACK 0.055f       // D, in leg lengths
@@ -147,7 +148,6 @@ static void soleCompensateRoot( solePlaceWork* work, float legLength )
 	float size = extra < 0.0f ? -extra : extra;
 	float jump = soleMaxF( work->settings->pelvis.rootJump * legLength, JUMP_SPEED * legLength * dt );
 	state->pelvis.value -= extra;
-	state->pelvisGoal -= extra;
 	if ( size <= jump )
 	{
 		float speed = step / dt;
@@ -166,15 +166,11 @@ static float soleBind( soleWishes wishes, float offset )
 static void soleFollow( solePlaceWork* work, soleWishes wishes, float goal, float most )
 {
 	soleState* state = work->state;
-	float perSecond = 1.0f / work->timeStep;
 	float start = state->pelvis.value;
-	float move = soleClampF( goal - state->pelvisGoal, -most, most );
-	soleOffset1 spring = soleStepSpring(
-	    state->pelvis, state->pelvisGoal, move * perSecond, work->settings->pelvis.halfLife, work->timeStep );
-	state->pelvisGoal += move;
+	soleOffset1 spring = soleStepSpring( state->pelvis, goal, 0.0f, work->settings->pelvis.halfLife, work->timeStep );
 	float step = soleClampF( soleBind( wishes, spring.value ) - start, -most, most );
 	state->pelvis.value = start + step;
-	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step * perSecond;
+	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;
 }
 
 void soleMovePelvis( solePlaceWork* work )
@@ -193,7 +189,6 @@ void soleMovePelvis( solePlaceWork* work )
 	if ( work->first )
 	{
 		state->pelvis = ( soleOffset1 ){ soleBind( wishes, goal ), 0.0f };
-		state->pelvisGoal = state->pelvis.value;
 		state->rootSpeed = 0.0f;
 	}
 	else if ( work->timeStep > 0.0f )

@@ -45,7 +45,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( target.align, "", 0, 1, 1, "Share of the ground's slope that the foot follows." ),
 	FLOAT( pelvis.down, "L", 0, 1, 0.45, "Furthest that the pelvis goes down." ),
 	FLOAT( pelvis.up, "L", 0, 1, 0.1, "Furthest that the pelvis goes up." ),
-	FLOAT( pelvis.halfLife, "s", 0, 2, 0.1, "How fast the pelvis follows the legs." ),
+	FLOAT( pelvis.halfLife, "s", 0, 2, 0.08, "How fast the pelvis follows the legs." ),
 	FLOAT( pelvis.speed, "L/s", 0, 100, 0.9, "Fastest that the pelvis moves beyond the root's own motion." ),
 	FLOAT( pelvis.rootJump, "L", 0, 1, 0.02, "A root that moves more than this beyond its speed has jumped." ),
 	FLOAT( pelvis.heelFirst, "", 0, 1, 0.5, "Share of the heel lift that is used up before the pelvis goes down." ),
