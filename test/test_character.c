@@ -4,6 +4,7 @@
 #include "test.h"
 
 #include "gltf.h"
+#include "inspect.h"
 #include "motion.h"
 
 typedef struct testCase
@@ -362,6 +363,80 @@ static void bindPoseComesFromTheSkin( void** state )
 	testClose( &opened );
 }
 
+/// The same character bound in the middle of a stride: soles must be found in the feet's own frames.
+static void solesOfAStrideAreThoseOfTheFeet( void** state )
+{
+	(void)state;
+	TEST_NEEDS_DATA( "human-quaternius-ual/human-base-animations.glb" );
+	testOpened opened;
+	testOpen( "human-quaternius-ual/human-base-animations.glb", 1.0f, &opened );
+	const toolCharacter* character = &opened.character;
+	toolBoundClip bound;
+	toolError error;
+	assert_true(
+	    toolBindClip( character, character->model, toolFindClip( character->model, "Jog_Fwd_Loop" ), &bound, &error ) );
+	size_t joints = (size_t)character->jointCount;
+	soleTransform* pose = calloc( joints, sizeof *pose );
+	soleSkinVertex* skin = calloc( (size_t)character->skinCount, sizeof *skin );
+	memcpy( skin, character->skin, (size_t)character->skinCount * sizeof *skin );
+	toolSampleClip( character, &bound, 0.2f, pose );
+	for ( int32_t i = 0; i < character->skinCount; ++i )
+	{
+		soleTransform from = toolPoseWorld( character, character->bindPose, skin[i].joints[0] );
+		soleTransform to = toolPoseWorld( character, pose, skin[i].joints[0] );
+		skin[i].position = soleTransformPoint( to, soleInvTransformPoint( from, skin[i].position ) );
+	}
+	soleSkeleton skeleton = { .jointCount = character->jointCount, .parents = character->parents, .bindPose = pose };
+	skeleton.names = character->names;
+	skeleton.skin = skin;
+	skeleton.skinCount = character->skinCount;
+	soleRigDef def = soleDefaultRigDef();
+	static soleDetectReport report;
+	assert_int_equal( soleDetectRig( &skeleton, &def, &report ), sole_success );
+	for ( int32_t i = 0; i < 2; ++i )
+	{
+		int32_t foot = def.legs[i].joints[2];
+		const soleSolePoints* made = &def.legs[i].sole;
+		const soleSolePoints* known = &character->rigDef.legs[i].sole;
+		soleTransform from = toolPoseWorld( character, character->bindPose, foot );
+		soleTransform to = toolPoseWorld( character, pose, foot );
+		soleVec3 heel = soleTransformPoint( to, soleInvTransformPoint( from, known->heel ) );
+		soleVec3 ball = soleTransformPoint( to, soleInvTransformPoint( from, known->ball ) );
+		print_message( "heel off by %.3f m, ball by %.3f m\n", (double)soleDistance( heel, made->heel ),
+		    (double)soleDistance( ball, made->ball ) );
+		assert_true( soleDistance( heel, made->heel ) < 0.03f );
+		assert_true( soleDistance( ball, made->ball ) < 0.03f );
+	}
+	free( pose );
+	free( skin );
+	toolFreeBoundClip( &bound );
+	testClose( &opened );
+}
+
+static void clipsAreLookedAt( void** state )
+{
+	(void)state;
+	TEST_NEEDS_DATA( "human-pab-rootmotion/pab_arnaud.glb" );
+	testOpened opened;
+	testOpen( "human-pab-rootmotion/pab_arnaud.glb", 1.0f, &opened );
+	toolClipFacts* facts = toolInspectClips( &opened.character );
+	int32_t walk = toolFindClip( opened.character.model, "walk" );
+	assert_true( walk != SOLE_NONE );
+	assert_false( facts[walk].refused );
+	assert_true( facts[walk].travel.rootMotion );
+	assert_float_equal( facts[walk].strideSpeed, 1.07f, 0.05f );
+	// Known from the data: the right foot is planted from frame 12 to 25 of 30 a second, the left one from 30 on.
+	float right = 0.0f;
+	for ( int32_t i = 0; i < facts[walk].legs[1].count; ++i )
+	{
+		toolInterval interval = facts[walk].legs[1].intervals[i];
+		right += interval.start < 0.45f && interval.end > 0.78f ? 1.0f : 0.0f;
+	}
+	assert_float_equal( right, 1.0f, 0.0f );
+	toolFreeClipFacts( facts, opened.character.model->clipCount );
+	testClose( &opened );
+}
+
 static void groundsAreNoCharacters( void** state )
 {
 	(void)state;
@@ -386,6 +461,8 @@ int main( void )
 		cmocka_unit_test( scaleReachesEverything ),
 		cmocka_unit_test( pointsLieOnTheSole ),
 		cmocka_unit_test( bindPoseComesFromTheSkin ),
+		cmocka_unit_test( solesOfAStrideAreThoseOfTheFeet ),
+		cmocka_unit_test( clipsAreLookedAt ),
 		cmocka_unit_test( groundsAreNoCharacters ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );

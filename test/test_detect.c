@@ -233,6 +233,17 @@ static const char* const testConventions[][9] = {
 	{ "rig|skeleton:Hips_01", "rig|skeleton:LeftLeg_02", "rig|skeleton:LeftKnee_03", "rig|skeleton:LeftFoot_04",
 	    "rig|skeleton:LeftToe_05", "rig|skeleton:RightLeg_06", "rig|skeleton:RightKnee_07", "rig|skeleton:RightFoot_08",
 	    "rig|skeleton:RightToe_09" },
+	{ "Pelvis", "L_Hip", "L_Knee", "L_Ankle", "L_Foot", "R_Hip", "R_Knee", "R_Ankle", "R_Foot" },
+	{ "pelvis", "lThighBend", "lShin", "lFoot", "lToe", "rThighBend", "rShin", "rFoot", "rToe" },
+	{ "mPelvis", "mHipLeft", "mKneeLeft", "mAnkleLeft", "mToeLeft", "mHipRight", "mKneeRight", "mAnkleRight",
+	    "mToeRight" },
+	{ "root.x", "thigh_stretch.l", "leg_stretch.l", "foot.l", "toes_01.l", "thigh_stretch.r", "leg_stretch.r", "foot.r",
+	    "toes_01.r" },
+	{ "Root_M", "Hip_L", "Knee_L", "Ankle_L", "Toes_L", "Hip_R", "Knee_R", "Ankle_R", "Toes_R" },
+	{ "\xe4\xb8\x8b\xe5\x8d\x8a\xe8\xba\xab", "\xe5\xb7\xa6\xe8\xb6\xb3", "\xe5\xb7\xa6\xe3\x81\xb2\xe3\x81\x96",
+	    "\xe5\xb7\xa6\xe8\xb6\xb3\xe9\xa6\x96", "\xe5\xb7\xa6\xe3\x81\xa4\xe3\x81\xbe\xe5\x85\x88",
+	    "\xe5\x8f\xb3\xe8\xb6\xb3", "\xe5\x8f\xb3\xe3\x81\xb2\xe3\x81\x96", "\xe5\x8f\xb3\xe8\xb6\xb3\xe9\xa6\x96",
+	    "\xe5\x8f\xb3\xe3\x81\xa4\xe3\x81\xbe\xe5\x85\x88" },
 	{ "Hero_Hips", "Hero_L_Hip", "Hero_L_Knee", "Hero_L_Ankle", "Hero_L_Ball", "Hero_R_Hip", "Hero_R_Knee",
 	    "Hero_R_Ankle", "Hero_R_Ball" },
 };
@@ -529,6 +540,35 @@ static void bonesWithoutLengthDoNotStopIt( void** state )
 	assert_true( testCount( sole_warning ) + testCount( sole_error ) > 0 );
 }
 
+/// A chain as long as a file can make it must neither hang nor overflow.
+static void endlessChainsAreRefused( void** state )
+{
+	(void)state;
+	const int32_t count = 65535;
+	int32_t* parents = calloc( (size_t)count, sizeof *parents );
+	soleTransform* bind = calloc( (size_t)count, sizeof *bind );
+	const char** names = calloc( (size_t)count, sizeof *names );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		static const char* const words[] = { "thigh_l", "calf_l", "foot_l", "ik_hand" };
+		parents[i] = i - 1;
+		bind[i] = soleTransform_Identity();
+		bind[i].translation.y = 0.001f;
+		names[i] = words[i % 4];
+	}
+	soleSkeleton skeleton = { .jointCount = count, .parents = parents, .bindPose = bind, .names = names };
+	assert_int_equal( testRefused( &skeleton ), sole_invalidDefinition );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		parents[i] = i % 900 == 0 ? ( i == 0 ? SOLE_NONE : 0 ) : i - 1;
+	}
+	soleRigDef def = soleDefaultRigDef();
+	soleDetectRig( &skeleton, &def, &testReport );
+	free( parents );
+	free( bind );
+	free( names );
+}
+
 /// Skeletons of random shape and numbers, some of them absurd: an answer, whatever it is.
 static void noiseIsAnswered( void** state )
 {
@@ -598,6 +638,7 @@ int main( void )
 		cmocka_unit_test( withoutLegsItSaysWhatItLookedFor ),
 		cmocka_unit_test( brokenSkeletonsAreRefused ),
 		cmocka_unit_test( bonesWithoutLengthDoNotStopIt ),
+		cmocka_unit_test( endlessChainsAreRefused ),
 		cmocka_unit_test( noiseIsAnswered ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // sole inspect: what a character file holds, as Sole sees it, and what is wrong with it.
 #include "command.h"
-#include "gltf.h"
 #include "inspect.h"
+#include "source.h"
 
 #include <getopt.h>
 #include <string.h>
@@ -85,7 +85,7 @@ int toolRunInspect( int argc, char** argv )
 	}
 	toolError error = { { 0 } };
 	toolGltf* gltf = NULL;
-	if ( toolReadGltf( options.path, &gltf, &error ) == false )
+	if ( toolOpenCharacter( options.path, &gltf, &error ) == false )
 	{
 		return toolReportFailure( &error );
 	}

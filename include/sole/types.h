@@ -177,7 +177,8 @@ typedef struct soleSettings
 	{
 		float down;     // furthest down. L [0, 1] default 0.45
 		float up;       // furthest up. L [0, 1] default 0.1
-		float halfLife; // s [0, 2] default 0.1
+		float halfLife; // s [0, 2] default 0.08
+		float speed;    // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
 		float rootJump; // a root that moves more than this beyond its own speed in a frame has jumped. L [0, 1]
 		                // default 0.02
 		float

@@ -15,7 +15,10 @@
 //
 // The offset is a spring relative to the root. A root that jumps (steps) or changes its speed does not take the pelvis
 // along: the jump is taken off the offset and the change of speed off its velocity, so that the pelvis goes on in the
-// world as it went. The legs' limits come after the spring: lag never over-extends a planted leg.
+// world as it went. The legs' limits come after the spring: its lag over-extends no planted leg. Both move the pelvis
+// at a limited speed: where a foot comes down too low too suddenly, it hangs short of the ground for some frames, for a
+// body that jumps shows more than a foot that lands late. (Feeding the spring its goal's velocity follows closer but
+// doubles the jerk at each change of the goal's pace: tried on ramps and stairs, and left out.)
 #include "place/place.h"
 
 #define SLACK 0.055f       // D, in leg lengths
@@ -153,6 +156,23 @@ static void soleCompensateRoot( solePlaceWork* work, float legLength )
 	}
 }
 
+/// An offset within what the planted legs allow. Where their limits cross, reach wins and a leg folds.
+static float soleBind( soleWishes wishes, float offset )
+{
+	return wishes.any ? soleMinF( soleMaxF( offset, wishes.floor ), wishes.ceiling ) : offset;
+}
+
+/// One step towards the goal, by at most `most`.
+static void soleFollow( solePlaceWork* work, soleWishes wishes, float goal, float most )
+{
+	soleState* state = work->state;
+	float start = state->pelvis.value;
+	soleOffset1 spring = soleStepSpring( state->pelvis, goal, 0.0f, work->settings->pelvis.halfLife, work->timeStep );
+	float step = soleClampF( soleBind( wishes, spring.value ) - start, -most, most );
+	state->pelvis.value = start + step;
+	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;
+}
+
 void soleMovePelvis( solePlaceWork* work )
 {
 	const soleSettings* s = work->settings;
@@ -165,31 +185,15 @@ void soleMovePelvis( solePlaceWork* work )
 	}
 	soleCompensateRoot( work, legLength );
 	soleWishes wishes = soleGatherWishes( work );
-	float goal = soleChooseOffset( wishes );
+	float goal = soleClampF( soleChooseOffset( wishes ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
 	if ( work->first )
 	{
-		state->pelvis = ( soleOffset1 ){ goal, 0.0f };
+		state->pelvis = ( soleOffset1 ){ soleBind( wishes, goal ), 0.0f };
 		state->rootSpeed = 0.0f;
 	}
-	state->pelvis = soleStepSpring( state->pelvis, goal, 0.0f, s->pelvis.halfLife, work->timeStep );
-
-	float low = -s->pelvis.down * legLength;
-	float high = s->pelvis.up * legLength;
-	if ( wishes.any )
+	else if ( work->timeStep > 0.0f )
 	{
-		low = soleMaxF( low, wishes.floor );
-		high = soleMinF( high, wishes.ceiling );
-		low = soleMinF( low, high ); // where they cross, reach wins and a leg folds
-	}
-	if ( state->pelvis.value > high )
-	{
-		state->pelvis.value = high;
-		state->pelvis.velocity = soleMinF( state->pelvis.velocity, 0.0f );
-	}
-	else if ( state->pelvis.value < low )
-	{
-		state->pelvis.value = low;
-		state->pelvis.velocity = soleMaxF( state->pelvis.velocity, 0.0f );
+		soleFollow( work, wishes, goal, s->pelvis.speed * legLength * work->timeStep );
 	}
 	float weight = soleClampF( work->frame->weight, 0.0f, 1.0f );
 	work->pelvisShift = soleFiniteOr( weight * state->pelvis.value, 0.0f );

@@ -11,6 +11,7 @@
 
 #define JOINT_LIMIT 65535
 #define VERTEX_LIMIT 100000000
+#define DEPTH_LIMIT 1000 // joints one above the other; a rig takes no more
 
 // ---------------------------------------------------------------------------------------------------------- report
 
@@ -176,6 +177,12 @@ static bool soleOrderJoints( soleDetect* detect )
 			depth[j] = level;
 			level -= 1;
 		}
+	}
+	if ( deepest >= DEPTH_LIMIT )
+	{
+		soleAddFinding( detect, sole_error, SOLE_NONE, SOLE_NONE, "leave out joints that are no part of the body",
+		    "joints hang %d deep from each other; no more than %d can be used", (int)deepest + 1, DEPTH_LIMIT );
+		return false;
 	}
 	// A counting sort by depth: order[] holds the levels' starts for a moment.
 	int32_t* starts = detect->childCount;

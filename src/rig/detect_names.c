@@ -74,6 +74,26 @@ static const solePartWord solePartWords[] = {
 	{ "footheel", sole_partOther },
 };
 
+/// Names of MikuMikuDance models, whole: their words are not cut by separators.
+typedef struct soleWholeName
+{
+	const char* name;
+	soleNamePart part;
+	soleSide side;
+} soleWholeName;
+
+static const soleWholeName soleWholeNames[] = {
+	{ "\xe5\xb7\xa6\xe8\xb6\xb3", sole_partHip, sole_left },                          // left leg
+	{ "\xe5\x8f\xb3\xe8\xb6\xb3", sole_partHip, sole_right },                         // right leg
+	{ "\xe5\xb7\xa6\xe3\x81\xb2\xe3\x81\x96", sole_partKnee, sole_left },             // left knee
+	{ "\xe5\x8f\xb3\xe3\x81\xb2\xe3\x81\x96", sole_partKnee, sole_right },            // right knee
+	{ "\xe5\xb7\xa6\xe8\xb6\xb3\xe9\xa6\x96", sole_partAnkle, sole_left },            // left ankle
+	{ "\xe5\x8f\xb3\xe8\xb6\xb3\xe9\xa6\x96", sole_partAnkle, sole_right },           // right ankle
+	{ "\xe5\xb7\xa6\xe3\x81\xa4\xe3\x81\xbe\xe5\x85\x88", sole_partToe, sole_left },  // left toes
+	{ "\xe5\x8f\xb3\xe3\x81\xa4\xe3\x81\xbe\xe5\x85\x88", sole_partToe, sole_right }, // right toes
+	{ "\xe4\xb8\x8b\xe5\x8d\x8a\xe8\xba\xab", sole_partPelvis, sole_center },         // lower body
+};
+
 static const char* const soleLeftWords[] = { "l", "left", "lt", "lft" };
 static const char* const soleRightWords[] = { "r", "right", "rt", "rgt" };
 static const char* const soleEndWords[] = { "end", "nub", "tip", "leaf", "site", "endsite", "effector", "eff" };
@@ -83,7 +103,7 @@ static const char* const soleControlWords[] = { "ik", "fk", "mch", "org", "ctrl"
 static const char* const soleGirdleWords[] = { "pelvis", "clavicle", "scapula", "anchor", "girdle" };
 static const char* const soleMarkWords[] = { "j", "b", "bip", "biped", "valvebiped", "def", "deform", "mixamorig",
 	"avatar", "armature", "rig", "jnt", "joint", "bone", "bn", "bind", "skin", "sk", "cc", "base", "character", "char",
-	"skel", "skeleton" };
+	"skel", "skeleton", "stretch", "bend" };
 
 #define IS_ONE_OF( word, list ) soleIsOneOf( word, list, sizeof( list ) / sizeof( ( list )[0] ) )
 
@@ -244,6 +264,16 @@ static bool soleIsMark( const soleMarks* marks, const char* word, bool isFirst, 
 static soleJointName soleParseName( const char* name, const soleMarks* marks )
 {
 	soleJointName result = { 0 };
+	for ( size_t i = 0; i < sizeof soleWholeNames / sizeof soleWholeNames[0]; ++i )
+	{
+		if ( strcmp( name, soleWholeNames[i].name ) == 0 )
+		{
+			result.part = soleWholeNames[i].part;
+			result.side = soleWholeNames[i].side;
+			result.word = (uint32_t)i / 2;
+			return result;
+		}
+	}
 	soleWords words = soleCutWords( name );
 	char whole[TEXT_LIMIT + WORD_LIMIT] = { 0 };
 	char bare[TEXT_LIMIT + WORD_LIMIT] = { 0 };

@@ -181,6 +181,21 @@ static soleSolePoints soleMakeSole( const soleDetect* detect, int32_t index, con
 	return sole;
 }
 
+/// How far the skin of the toes reaches from their joint: the same however they are bent.
+static float soleFindToeReach( const soleDetect* detect, int32_t toe )
+{
+	float reach = 0.0f;
+	for ( int32_t i = 0; i < detect->skeleton->skinCount; ++i )
+	{
+		int32_t joint = detect->dominant[i];
+		if ( joint != SOLE_NONE && soleDetect_IsBelow( detect, joint, toe ) )
+		{
+			reach = soleMaxF( reach, soleDistance( detect->skeleton->skin[i].position, detect->position[toe] ) );
+		}
+	}
+	return reach;
+}
+
 static soleSolePoints soleFindSkinSole( soleDetect* detect, int32_t index, const soleFootFrame* frame, int32_t count )
 {
 	const soleFoundLeg* leg = detect->legs + index;
@@ -208,6 +223,11 @@ static soleSolePoints soleFindSkinSole( soleDetect* detect, int32_t index, const
 	if ( leg->toeCount > 0 )
 	{
 		ball = soleDot( detect->position[leg->toes[0]], frame->forward );
+		if ( detect->standing == false )
+		{
+			toe = soleMaxF( toe, ball + soleFindToeReach( detect, leg->toes[0] ) );
+			length = toe - heel;
+		}
 		ball = soleClampF( ball, heel + 0.4f * length, heel + 0.95f * length );
 	}
 	soleStripe atBall = soleFindStripe( vertices, inside, ball, length );
@@ -498,6 +518,27 @@ static soleSolePoints soleFindJointSole( soleDetect* detect, int32_t index, cons
 	return soleMakeSole( detect, index, frame, along, lateral, half, height );
 }
 
+/// Toes may be bent in a stride: the part behind them tells the sole plane, where it has enough skin for that.
+static void soleUnmarkToes( soleDetect* detect, const soleFoundLeg* leg )
+{
+	int32_t left = soleCountFoot( detect );
+	for ( int32_t pass = 0; pass < 2 && leg->toeCount > 0; ++pass )
+	{
+		for ( int32_t i = 0; i < detect->jointCount; ++i )
+		{
+			bool toe = detect->ints[i] != 0 && soleDetect_IsBelow( detect, i, leg->toes[0] );
+			if ( toe && pass == 0 )
+			{
+				left -= detect->skinnedCount[i];
+			}
+			else if ( toe && left >= 8 )
+			{
+				detect->ints[i] = 0;
+			}
+		}
+	}
+}
+
 soleSolePoints soleFindSole( soleDetect* detect, int32_t index )
 {
 	const soleFoundLeg* leg = detect->legs + index;
@@ -512,6 +553,7 @@ soleSolePoints soleFindSole( soleDetect* detect, int32_t index )
 	}
 	if ( detect->standing == false )
 	{
+		soleUnmarkToes( detect, leg );
 		frame = soleFlattestFrame( detect, &frame );
 	}
 	int32_t count = soleGatherFoot( detect, &frame );
