@@ -270,6 +270,34 @@ static void noVerticalRayFallsThroughATerrain( void** state )
 	}
 }
 
+static void heightsOnNeedlesAreExact( void** state )
+{
+	(void)state;
+	uint32_t seed = 47;
+	for ( int32_t i = 0; i < 5000; ++i )
+	{
+		float far = testRandomFloat( &seed, 5.0f, 40.0f );
+		float width = testRandomFloat( &seed, 0.0005f, 0.01f );
+		float vertices[9] = { 0.0f, 0.0f, 0.0f, far, 0.1f, far, far + width, 1.0f, far };
+		uint32_t indices[3] = { 0, 1, 2 };
+		testMesh mesh = { vertices, 3, indices, 1 };
+		soleGround* ground = testMakeMeshGround( &mesh, false );
+		float part = testRandomFloat( &seed, 0.1f, 0.9f );
+		soleVec3 target = soleLerp( testCorner( &mesh, 0, 1 ), testCorner( &mesh, 0, 2 ), part );
+		target = soleScale( testRandomFloat( &seed, 0.2f, 0.9f ), target );
+		soleVec3 start = { target.x, 2.0f, target.z };
+		double border;
+		double t = slowRay( &mesh, 0, start, down, &border );
+		if ( border > 0.02 )
+		{
+			soleHit hit = testCast( ground, start, down, 3.0f, 0.0f );
+			assert_true( hit.hit );
+			assert_float_equal( hit.point_w.y, (float)( 2.0 - t ), 1e-6f );
+		}
+		soleDestroyGround( ground );
+	}
+}
+
 static void orderOfTrianglesChangesNothing( void** state )
 {
 	(void)state;
@@ -451,6 +479,7 @@ int main( void )
 		cmocka_unit_test( verticalRaysHitCornersAndEdgesInAll24Orientations ),
 		cmocka_unit_test( noRayGetsIntoAClosedSurface ),
 		cmocka_unit_test( noVerticalRayFallsThroughATerrain ),
+		cmocka_unit_test( heightsOnNeedlesAreExact ),
 		cmocka_unit_test( orderOfTrianglesChangesNothing ),
 		cmocka_unit_test( tiesGoToTheLowerIndex ),
 		cmocka_unit_test( rigidMotionCarriesAnswersAlong ),

@@ -108,6 +108,24 @@ static void strideSpeedOfInPlaceClipsIsFound( void** state )
 	soleDestroyRig( rig );
 }
 
+static void legsOfDifferentPaceShareTheStride( void** state )
+{
+	(void)state;
+	soleRig* rig = rigMake();
+	rigMotion left = rigMakeMotion( rig, 60, 60.0f );
+	rigMotion right = rigMakeMotion( rig, 60, 60.0f );
+	gaitFill( &left, 1.0, 0.0f, true );
+	gaitFill( &right, 1.1, 0.0f, true );
+	for ( int32_t t = 0; t < 60; ++t )
+	{
+		memcpy( rigPose( &left, t ) + 5, rigPose( &right, t ) + 5, 4 * sizeof( soleTransform ) );
+	}
+	testNear3( soleFindStrideVelocity( &left.motion ), soleVec( 0.0f, 0.0f, 1.05f ), 0.005f );
+	rigFreeMotion( &left );
+	rigFreeMotion( &right );
+	soleDestroyRig( rig );
+}
+
 static void aClipThatStandsHasNoStrideAndIsAllContact( void** state )
 {
 	(void)state;
@@ -263,6 +281,7 @@ int main( void )
 		cmocka_unit_test( contactsAreFoundWithinAFrameAtEveryRate ),
 		cmocka_unit_test( aFloorThatIsNotAtTheOriginIsFound ),
 		cmocka_unit_test( strideSpeedOfInPlaceClipsIsFound ),
+		cmocka_unit_test( legsOfDifferentPaceShareTheStride ),
 		cmocka_unit_test( aClipThatStandsHasNoStrideAndIsAllContact ),
 		cmocka_unit_test( shortRunsAreDroppedAndShortGapsBridged ),
 		cmocka_unit_test( fastCharactersMaySlideMoreInContact ),

@@ -53,7 +53,10 @@ for (const file of files) {
 		const warnings = countCodes(issues, 1);
 		for (const [code, count] of Object.entries(known)) {
 			if (code in errors) {
-				errors[code] = Math.max(0, errors[code] - count);
+				errors[code] -= count;
+				if (errors[code] <= 0) {
+					delete errors[code];
+				}
 			}
 		}
 		const isNew = option >= 0 ? " new" : "";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // sole bake: a character's clips played over a ground with their feet placed, appended to the character's file.
+#define _XOPEN_SOURCE 700 // realpath
 #include "bake_options.h"
 #include "command.h"
 #include "evaluate.h"
@@ -215,6 +216,43 @@ static void toolPrintTakes( const toolBakeJob* job, const toolBakedTake* takes )
 	free( columns );
 }
 
+static int toolFolderLength( const char* path )
+{
+	const char* slash = strrchr( path, '/' );
+	return slash != NULL ? (int)( slash - path ) + 1 : 0;
+}
+
+// The file of the clips as seen from the output, for its extras: by name where both are in one folder. NULL: the
+// character's own file.
+static char* toolNameClipsFile( const toolBakeOptions* options )
+{
+	const char* clips = options->clipsFile;
+	if ( clips == NULL )
+	{
+		return NULL;
+	}
+	int length = toolFolderLength( clips );
+	bool together =
+	    length == toolFolderLength( options->output ) && strncmp( clips, options->output, (size_t)length ) == 0;
+	char* full = together ? NULL : realpath( clips, NULL );
+	char* name = toolCopyString( full != NULL ? full : clips + length );
+	free( full );
+	return name;
+}
+
+// A second clip of a name could not be told from the first.
+static bool toolCheckNameFree( const toolBakeJob* job, const char* clip, const char* method, toolError* error )
+{
+	char* name = toolFormat( "%s|%s", clip, method );
+	bool taken = toolFindClip( toolGltf_GetModel( job->gltf ), name ) != SOLE_NONE;
+	if ( taken )
+	{
+		toolFail( error, "%s: already has a clip '%s': bake from the file without it", job->options.character, name );
+	}
+	free( name );
+	return taken == false;
+}
+
 static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const toolTravel* travel,
     const toolBakeDef* def, toolBakedTake* taken, toolError* error )
 {
@@ -226,18 +264,15 @@ static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const 
 	taken->method = def->method->name;
 	job->made = toolGrow( job->made, (size_t)job->madeCount + 1, sizeof *job->made );
 	toolClip* clip = job->made + job->madeCount++;
-	toolMakeBakedClip( &job->character, bound, travel, taken->method, job->options.clipsFile, &result, clip );
+	char* clipsFile = toolNameClipsFile( &job->options );
+	toolMakeBakedClip( &job->character, bound, travel, taken->method, clipsFile, &result, clip );
+	free( clipsFile );
 	bool good = toolMeasureBake( job, &result, taken, error );
 	if ( good )
 	{
 		toolReportTake( job, clip->name, &result, taken );
 	}
 	toolFreeBakeResult( &result );
-	if ( good && toolFindClip( toolGltf_GetModel( job->gltf ), clip->name ) != SOLE_NONE )
-	{
-		return toolFail(
-		    error, "%s: already has a clip '%s': bake from the file without it", job->options.character, clip->name );
-	}
 	return good;
 }
 
@@ -261,7 +296,8 @@ static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolE
 	for ( int32_t i = 0; i < options->methodCount && good; ++i )
 	{
 		def.method = options->methods[i];
-		good = toolBakeMethod( job, bound, &travel, &def, takes + i, error );
+		good = toolCheckNameFree( job, bound->clip->name, def.method->name, error ) &&
+		    toolBakeMethod( job, bound, &travel, &def, takes + i, error );
 	}
 	if ( good && options->json == false )
 	{

@@ -195,8 +195,7 @@ static void toolPrintMeasure( const toolMeasureOptions* options, const toolMeasu
 		toolPrintFigures( stdout, run->character.rig, columns, 2 );
 		return;
 	}
-	struct json_object* object = toolFiguresToJson( run->character.rig, figures );
-	struct json_object* base = toolFiguresToJson( run->character.rig, reference );
+	struct json_object* object = json_object_new_object();
 	json_object_object_add( object, "clip", json_object_new_string( options->clip ) );
 	json_object_object_add( object, "method", json_object_new_string( run->method ) );
 	json_object_object_add( object, "reference", json_object_new_string( against ) );
@@ -205,7 +204,14 @@ static void toolPrintMeasure( const toolMeasureOptions* options, const toolMeasu
 	json_object_object_add( object, "fps", json_object_new_double( (double)take->frameRate ) );
 	json_object_object_add( object, "frames", json_object_new_int( take->frameCount ) );
 	json_object_object_add( object, "skip", json_object_new_int( take->skip ) );
-	json_object_object_add( object, "referenceFigures", base );
+	// What comes first in a file should say what it is about.
+	struct json_object* measured = toolFiguresToJson( run->character.rig, figures );
+	json_object_object_foreach( measured, key, value )
+	{
+		json_object_object_add( object, key, json_object_get( value ) );
+	}
+	json_object_put( measured );
+	json_object_object_add( object, "referenceFigures", toolFiguresToJson( run->character.rig, reference ) );
 	json_object_object_add( object, "ratios", toolRatiosToJson( figures, reference ) );
 	puts( json_object_to_json_string_ext( object, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_SPACED ) );
 	json_object_put( object );

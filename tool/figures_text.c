@@ -124,7 +124,7 @@ static void toolPrintCell( FILE* stream, const toolFigureColumn* column, double 
 
 static void toolPrintHead( FILE* stream, const char* what, const toolFigureColumn* columns, int32_t columnCount )
 {
-	fprintf( stream, "%-32s", what );
+	fprintf( stream, "%-33s", what );
 	for ( int32_t i = 0; i < columnCount; ++i )
 	{
 		fprintf( stream, "%*s%s", strlen( columns[i].name ) < 10 ? 12 - (int)strlen( columns[i].name ) : 2, "",
@@ -149,7 +149,7 @@ static void toolPrintLegRows( FILE* stream, int32_t leg, const toolFigureColumn*
 		{
 			continue;
 		}
-		fprintf( stream, "  %-23s %-6s", figure->text, figure->unit );
+		fprintf( stream, "  %-25s%-6s", figure->text, figure->unit );
 		for ( int32_t i = 0; i < columnCount; ++i )
 		{
 			const soleFigures* figures = columns[i].figures;
@@ -166,7 +166,7 @@ static void toolPrintBodyRows( FILE* stream, const toolFigureColumn* columns, in
 	for ( int32_t row = 0; row < COUNT_OF( toolBodyFigures ); ++row )
 	{
 		const toolFigure* figure = toolBodyFigures + row;
-		fprintf( stream, "  %-23s %-6s", figure->text, figure->unit );
+		fprintf( stream, "  %-25s%-6s", figure->text, figure->unit );
 		for ( int32_t i = 0; i < columnCount; ++i )
 		{
 			double value = figure->factor * toolGetFigure( figure, columns[i].figures );
@@ -192,7 +192,7 @@ static void toolPrintRatios( FILE* stream, const toolFigureColumn* columns, int3
 	for ( int32_t row = 0; row < COUNT_OF( toolRatios ); ++row )
 	{
 		const toolFigure* figure = toolRatios + row;
-		fprintf( stream, "  %-23s %-6s", figure->text, figure->unit );
+		fprintf( stream, "  %-25s%-6s", figure->text, figure->unit );
 		for ( int32_t i = 0; i < columnCount; ++i )
 		{
 			toolPrintCell( stream, columns + i, toolGetRatio( figure, columns[i].figures, columns[i].reference ),

@@ -45,6 +45,15 @@ void toolAddKey( toolJsonText* out, const char* key )
 	toolAddJson( out, "\":" );
 }
 
+void toolAddName( toolJsonText* out, const char* name )
+{
+	if ( *name != 0 )
+	{
+		toolAddKey( out, "name" );
+		toolAddJsonString( out, name );
+	}
+}
+
 /// Items at the end of a list at the root, or the list where there is none.
 static void toolAppendToRoot( const toolGltf* gltf, toolJsonEdits* edits, const char* key, const toolJsonText* items )
 {

@@ -114,13 +114,16 @@ bool toolNormalizeGltf( toolGltf* gltf, struct json_object** root, toolError* er
 /// The folder of a path with its slash, or "".
 char* toolGetFolder( const char* path );
 
-// gltf_read.c, gltf_mesh.c, gltf_clip.c: parts of the model
+// gltf_read.c, gltf_node.c, gltf_mesh.c, gltf_clip.c: parts of the model
 
 bool toolReadModel( toolGltf* gltf, toolError* error );
+bool toolReadNodes( toolGltfReader* reader );
+/// Marks what the default scene shows: its nodes and all below them; all nodes where there is no scene.
+bool toolReadScene( toolGltfReader* reader );
 bool toolReadMeshes( toolGltfReader* reader );
 bool toolReadClips( toolGltfReader* reader );
 
-// gltf_build.c
+// gltf_build.c, gltf_items.c, gltf_items_mesh.c
 
 /// New items of a file's lists and their bytes. They count from what the file has.
 typedef struct toolBuilder
@@ -156,7 +159,11 @@ size_t toolAddAccessor( toolBuilder* builder, size_t view, size_t offset, int co
 /// Starts an item of a list: the comma and bracket.
 void toolOpenItem( toolJsonText* list );
 void toolAddKey( toolJsonText* out, const char* key );
+/// Nothing where the name is empty.
+void toolAddName( toolJsonText* out, const char* name );
 void toolBuildClip( toolBuilder* builder, const toolClip* clip );
+/// Whether a skin moves every part of a mesh.
+bool toolIsSkinned( const toolModel* model, int32_t mesh );
 void toolBuildMaterial( toolBuilder* builder, const toolMaterial* material );
 /// meshMap takes a mesh of the model to one of the file, or SOLE_NONE where it has no triangles.
 void toolBuildMeshes( toolBuilder* builder, const toolModel* model, bool withSkins, int32_t* meshMap );

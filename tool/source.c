@@ -2,13 +2,48 @@
 // Opens characters and grounds by file or by the name of an embedded sample. World of the ground, metres, Y up.
 #include "source.h"
 
+#include "scenario.h"
+
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+
+static bool toolIsThere( const char* path )
+{
+	struct stat info;
+	return stat( path, &info ) == 0;
+}
+
+bool toolOpenEmbeddedCharacter( const char* name, toolGltf** gltf )
+{
+	*gltf = NULL;
+	(void)name;
+	return false;
+}
 
 bool toolOpenCharacter( const char* name, toolGltf** gltf, toolError* error )
 {
-	*gltf = NULL;
-	return toolReadGltf( name, gltf, error );
+	bool embedded = toolIsThere( name ) == false && toolOpenEmbeddedCharacter( name, gltf );
+	return embedded || toolReadGltf( name, gltf, error );
+}
+
+static void toolTakeScene( const soleScene* scene, toolGroundSource* source )
+{
+	size_t positions = 3 * (size_t)scene->vertexCount;
+	size_t indices = 3 * (size_t)scene->triangleCount;
+	source->mesh.vertexCount = scene->vertexCount;
+	source->mesh.triangleCount = scene->triangleCount;
+	source->mesh.positions = toolAlloc( positions, sizeof *source->mesh.positions );
+	source->mesh.indices = toolAlloc( indices, sizeof *source->mesh.indices );
+	memcpy( source->mesh.positions, scene->positions, positions * sizeof *source->mesh.positions );
+	memcpy( source->mesh.indices, scene->indices, indices * sizeof *source->mesh.indices );
+	source->pathCount = scene->pathCount;
+	source->path = scene->pathCount > 0 ? toolAlloc( (size_t)scene->pathCount, sizeof *source->path ) : NULL;
+	for ( int32_t i = 0; i < scene->pathCount; ++i )
+	{
+		source->path[i] = ( toolPlace ){ (double)scene->path[i][0], (double)NAN, (double)scene->path[i][1] };
+	}
 }
 
 static bool toolBuildGround( toolGroundSource* source, bool twoSided, toolError* error )
@@ -34,12 +69,34 @@ static bool toolBuildGround( toolGroundSource* source, bool twoSided, toolError*
 	return true;
 }
 
+bool toolOpenEmbeddedGround( const char* name, toolGroundSource* source )
+{
+	*source = ( toolGroundSource ){ 0 };
+	soleScene scene = { 0 };
+	if ( soleMakeScene( name, &scene ) == false )
+	{
+		return false;
+	}
+	source->name = toolCopyString( name );
+	toolTakeScene( &scene, source );
+	soleFreeScene( &scene );
+	bool good = toolBuildGround( source, false, NULL );
+	if ( good == false )
+	{
+		toolCloseGround( source );
+	}
+	return good;
+}
+
 bool toolOpenGround( const char* name, toolGroundSource* source, toolError* error )
 {
+	if ( toolIsThere( name ) == false && toolOpenEmbeddedGround( name, source ) )
+	{
+		return true;
+	}
 	*source = ( toolGroundSource ){ .name = toolCopyString( name ) };
-	bool good = toolReadGround( name, 1.0f, &source->mesh, error );
-	// Files are wound as their makers cared.
-	good = good && toolBuildGround( source, true, error );
+	// Files are wound as their makers cared: both sides count.
+	bool good = toolReadGround( name, 1.0f, &source->mesh, error ) && toolBuildGround( source, true, error );
 	if ( good == false )
 	{
 		toolCloseGround( source );

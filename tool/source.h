@@ -9,6 +9,8 @@
 #include "walker.h"
 
 bool toolOpenCharacter( const char* name, toolGltf** gltf, toolError* error );
+/// The embedded one, whatever files there are. False where there is no character of that name.
+bool toolOpenEmbeddedCharacter( const char* name, toolGltf** gltf );
 
 /// A ground ready to be asked. Metres.
 typedef struct toolGroundSource
@@ -22,6 +24,8 @@ typedef struct toolGroundSource
 } toolGroundSource;
 
 bool toolOpenGround( const char* name, toolGroundSource* source, toolError* error );
+/// The embedded one, whatever files there are. False where there is no scene of that name.
+bool toolOpenEmbeddedGround( const char* name, toolGroundSource* source );
 void toolCloseGround( toolGroundSource* source );
 
 /// The ground as nodes of a scene, to be added to a file.

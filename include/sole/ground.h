@@ -9,7 +9,7 @@
 #include "sole/types.h"
 
 /// Triangles. A face is met only from its front, where its corners run counter clockwise: a ray from behind passes, and
-/// so does a sphere whose middle starts behind it. So a start inside a closed mesh meets nothing of it.
+/// so does a sphere whose middle starts behind it. So a probe that starts inside a closed mesh goes out unnoticed.
 typedef struct soleGroundMesh
 {
 	const float* vertices; // x, y, z of each vertex, world

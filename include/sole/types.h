@@ -177,9 +177,12 @@ typedef struct soleSettings
 	{
 		float down;     // furthest down. L [0, 1] default 0.45
 		float up;       // furthest up. L [0, 1] default 0.1
-		float halfLife; // s [0, 2] default 0.1
+		float halfLife; // s [0, 2] default 0.08
+		float speed;    // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
 		float rootJump; // a root that moves more than this beyond its own speed in a frame has jumped. L [0, 1]
 		                // default 0.02
+		float
+		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
 	} pelvis;
 
 	struct
@@ -315,6 +318,7 @@ typedef struct soleLegState
 {
 	uint32_t flags;      // soleLegStateFlags, internal
 	float plantWeight;   // 0 free .. 1 has its full say in the pelvis
+	float say;           // how much of a say it has in where the pelvis should be
 	soleVec3 animHeel_w; // last animated sole points, for velocities
 	soleVec3 animBall_w;
 	soleVec3 lockPoint_w;   // where the locked sole point is held

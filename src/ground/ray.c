@@ -3,10 +3,11 @@
 //
 // The triangle is moved so that the ray starts at the origin, and sheared so that the ray runs along one axis. What is
 // left is flat: three edge functions, each twice the area of the ray with one edge. Same signs: inside.
-//   U = Cx By - Cy Bx,  V = Ax Cy - Ay Cx,  W = Bx Ay - By Ax,  t = ( U Az + V Bz + W Cz ) / ( ( U + V + W ) dz )
+//   U = Cx By - Cy Bx,  V = Ax Cy - Ay Cx,  W = Bx Ay - By Ax
 // Two triangles that share an edge compute the same products and get exactly opposite differences, hence no crack. A
 // float difference of rounded products never has the wrong sign, at most it is zero: so floats may refuse, and what
-// they let pass is decided in double, where the products are exact. Needs contraction off.
+// they let pass is decided in double, where the products are exact. Needs contraction off. Where on the ray it is met
+// says the triangle's plane, in double and not sheared: exact for needles too.
 // Source of the idea: Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.
 #include "ground/ground_internal.h"
 
@@ -42,30 +43,48 @@ bool soleMakeGroundQuery(
 	return true;
 }
 
-static void soleFillRayTouch(
-    const soleGroundQuery* query, const float* const corners[3], double t, soleGroundTouch* touch )
+/// Where the ray goes through the plane of a triangle that it meets. @return false beyond the probe's ends.
+static bool soleFillRayTouch( const soleGroundQuery* query, const float* const corners[3], soleGroundTouch* touch )
 {
+	double d[3];
+	double from[3];
 	double u[3];
 	double v[3];
-	double p[3];
 	for ( int k = 0; k < 3; ++k )
 	{
+		d[k] = (double)query->direction[k];
+		from[k] = (double)corners[0][k] - (double)query->start[k];
 		u[k] = (double)corners[1][k] - (double)corners[0][k];
 		v[k] = (double)corners[2][k] - (double)corners[0][k];
-		p[k] = (double)query->start[k] + t * (double)query->direction[k];
 	}
 	double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 	double length = sqrt( ( n[0] * n[0] + n[1] * n[1] ) + n[2] * n[2] );
-	double along = ( n[0] * (double)query->direction[0] + n[1] * (double)query->direction[1] ) +
-	    n[2] * (double)query->direction[2];
+	double along = ( n[0] * d[0] + n[1] * d[1] ) + n[2] * d[2];
+	double t = ( ( n[0] * from[0] + n[1] * from[1] ) + n[2] * from[2] ) / along;
+
+	// Nearly edge on the plane says little; the travels to the corners say between what it must be.
+	int z = query->axes[2];
+	double ends[3] = { from[z] / d[z], ( from[z] + u[z] ) / d[z], ( from[z] + v[z] ) / d[z] };
+	double low = ends[0] < ends[1] ? ends[0] : ends[1];
+	double high = ends[0] < ends[1] ? ends[1] : ends[0];
+	low = low < ends[2] ? low : ends[2];
+	high = high > ends[2] ? high : ends[2];
+	t = t > low ? ( t < high ? t : high ) : low; // a t that is no number compares false: low
+	if ( !( t >= 0.0 ) || !( t <= (double)query->length ) )
+	{
+		return false;
+	}
+
 	// Only a face met from its back gets here with the normal along the ray: one that may be met from there.
 	double scale = ( along > 0.0 ? -1.0 : 1.0 ) / ( length > 0.0 ? length : 1.0 );
 	*touch = ( soleGroundTouch ){
 		.hit = true,
 		.t = t,
-		.point = soleVec( (float)p[0], (float)p[1], (float)p[2] ),
+		.point = soleVec( (float)( (double)query->start[0] + t * d[0] ), (float)( (double)query->start[1] + t * d[1] ),
+		    (float)( (double)query->start[2] + t * d[2] ) ),
 		.normal = soleVec( (float)( scale * n[0] ), (float)( scale * n[1] ), (float)( scale * n[2] ) ),
 	};
+	return true;
 }
 
 bool soleRayMeetsTriangle(
@@ -101,18 +120,5 @@ bool soleRayMeetsTriangle(
 	{
 		return false; // outside, from the back, or seen edge on: then all three are zero
 	}
-	double weights = ( exactU + exactV ) + exactW;
-	double height[3];
-	for ( int i = 0; i < 3; ++i )
-	{
-		height[i] = (double)corners[i][kz] - (double)query->start[kz];
-	}
-	double along = ( exactU * height[0] + exactV * height[1] ) + exactW * height[2];
-	double t = along / ( weights * (double)query->direction[kz] );
-	if ( !( t >= 0.0 ) || !( t <= (double)query->length ) )
-	{
-		return false;
-	}
-	soleFillRayTouch( query, corners, t, touch );
-	return true;
+	return soleFillRayTouch( query, corners, touch );
 }

@@ -205,13 +205,14 @@ float soleFindClipFloor( const soleMotion* motion )
 
 // --------------------------------------------------------------------------------------------------------- stride
 
-/// Horizontal velocities of the sole points that stand, by height and by speed along up.
-static int32_t soleFindStanceVelocities( const soleTracks* tracks, double floor, soleVec3d* velocities )
+/// Horizontal velocities of the sole points of legs [first, end) that stand, by height and by speed along up.
+static int32_t soleFindStanceVelocities(
+    const soleTracks* tracks, double floor, int32_t first, int32_t end, soleVec3d* velocities )
 {
 	int32_t count = 0;
 	for ( int32_t frame = 1; frame + 1 < tracks->frameCount; ++frame )
 	{
-		for ( int32_t leg = 0; leg < tracks->legCount; ++leg )
+		for ( int32_t leg = first; leg < end; ++leg )
 		{
 			double heel = soleDotD( *soleTrackPoint( tracks, frame, leg, sole_trackHeel ), tracks->up );
 			double ball = soleDotD( *soleTrackPoint( tracks, frame, leg, sole_trackBall ), tracks->up );
@@ -226,35 +227,62 @@ static int32_t soleFindStanceVelocities( const soleTracks* tracks, double floor,
 	return count;
 }
 
-/// The velocity nearest to all others by the sum of distances, first of all, then of those near the last answer: a foot
-/// that swings low over the floor is no stance. Linear in count, as candidates are spread over the samples.
-static soleVec3d soleMedianVelocity( const soleVec3d* velocities, int32_t count, double legLength )
+/// Of all velocities no further than radius from a centre the one that is nearest to all others, by the sum of
+/// distances; the centre where there is none. Looks at no more than some hundred of them.
+/// @return how many of those it looked at were near enough
+static int32_t soleFindMiddle( const soleVec3d* velocities, int32_t count, double radius, soleVec3d* center )
 {
-	soleVec3d median = { 0.0, 0.0, 0.0 };
-	double radius = HUGE_VAL;
 	int32_t step = count / 400 + 1;
-	for ( int32_t pass = 0; pass < 3; ++pass )
+	double least = HUGE_VAL;
+	soleVec3d from = *center;
+	int32_t within = 0;
+	for ( int32_t i = 0; i < count; i += step )
 	{
-		double least = HUGE_VAL;
-		soleVec3d next = median;
-		for ( int32_t i = 0; i < count; i += step )
+		if ( soleLengthD( soleSubD( velocities[i], from ) ) > radius )
 		{
-			double sum = 0.0;
-			for ( int32_t k = 0; k < count; k += step )
-			{
-				double apart = soleLengthD( soleSubD( velocities[k], velocities[i] ) );
-				sum += soleLengthD( soleSubD( velocities[k], median ) ) <= radius ? apart : 0.0;
-			}
-			if ( sum < least )
-			{
-				least = sum;
-				next = velocities[i];
-			}
+			continue;
 		}
-		median = next;
-		radius = fmax( SLOW * legLength, 0.3 * soleLengthD( median ) );
+		++within;
+		double sum = 0.0;
+		for ( int32_t k = 0; k < count; k += step )
+		{
+			bool counts = soleLengthD( soleSubD( velocities[k], from ) ) <= radius;
+			sum += counts ? soleLengthD( soleSubD( velocities[k], velocities[i] ) ) : 0.0;
+		}
+		if ( sum < least )
+		{
+			least = sum;
+			*center = velocities[i];
+		}
 	}
-	return median;
+	return within;
+}
+
+/// How far from the usual stance velocity one may be: further is a foot that swings low over the floor.
+static double soleStanceRadius( const soleTracks* tracks, soleVec3d velocity )
+{
+	return fmax( SLOW * tracks->legLength, 0.3 * soleLengthD( velocity ) );
+}
+
+/// First what is usual for all legs, then the mean over the legs of what is usual for each: feet that do not keep the
+/// same pace then slide alike.
+static soleVec3d soleFindStanceVelocity( const soleTracks* tracks, double floor, soleVec3d* velocities )
+{
+	soleVec3d usual = { 0.0, 0.0, 0.0 };
+	int32_t count = soleFindStanceVelocities( tracks, floor, 0, tracks->legCount, velocities );
+	soleFindMiddle( velocities, count, HUGE_VAL, &usual );
+	soleFindMiddle( velocities, count, soleStanceRadius( tracks, usual ), &usual );
+	soleVec3d sum = { 0.0, 0.0, 0.0 };
+	double weights = 0.0;
+	for ( int32_t leg = 0; leg < tracks->legCount; ++leg )
+	{
+		soleVec3d own = usual;
+		count = soleFindStanceVelocities( tracks, floor, leg, leg + 1, velocities );
+		double weight = (double)soleFindMiddle( velocities, count, soleStanceRadius( tracks, usual ), &own );
+		sum = soleAddD( sum, soleScaleD( weight, own ) );
+		weights += weight;
+	}
+	return weights > 0.0 ? soleScaleD( 1.0 / weights, sum ) : usual;
 }
 
 soleVec3 soleFindStrideVelocity( const soleMotion* motion )
@@ -273,8 +301,7 @@ soleVec3 soleFindStrideVelocity( const soleMotion* motion )
 	soleVec3d* velocities = soleAlloc( NULL, byteCount );
 	if ( velocities != NULL && soleFindFloor( &tracks, &floor ) )
 	{
-		int32_t count = soleFindStanceVelocities( &tracks, floor, velocities );
-		stance = soleMedianVelocity( velocities, count, tracks.legLength );
+		stance = soleFindStanceVelocity( &tracks, floor, velocities );
 	}
 	soleFree( NULL, velocities, byteCount );
 	soleFreeTracks( NULL, &tracks );

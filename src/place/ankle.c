@@ -4,8 +4,8 @@
 // Range of motion. q is the foot's turn against the shin beyond neutral, in the foot's axes. It is taken apart, without
 // trigonometry, into pitch about the side axis, roll about the forward axis, a small rest, and twist about the up axis;
 // the halves of pitch, roll and twist are clamped, and the parts put together again. Each limit is widened to what the
-// animation does itself. What the ankle cannot do becomes a new target: the foot keeps its ball on the ground, or, if
-// that would push another part of the sole in, is raised until nothing is.
+// animation does itself. What the ankle cannot do becomes a new target: the foot stands on whatever part of its sole is
+// lowest then, at the height that was wanted of the lowest part.
 //
 // Toes. They go where the animated toes go on the plane (so they stay flat while the heel is raised), plus the slope of
 // the ground in front of the ball, as far as their limits and the foot's contact let them.
@@ -76,28 +76,30 @@ static bool soleHasAnkle( const soleRigLeg* rig )
 	return rig->def.hasVirtualAnkle == false || rig->def.detachedFoot != SOLE_NONE;
 }
 
-/// Keeps the ball where it was wanted under a foot that was turned from `wanted` to `turned`, then raises the foot
-/// until no point of its sole is deeper than it was wanted to be.
-static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat wanted, soleQuat turned )
+/// Height, over the ball and along a normal, of the lowest point of a sole that is turned like this. Toes that bend are
+/// left out.
+static float soleLowestPoint( const soleLegWork* leg, soleQuat foot, soleVec3 normal )
 {
-	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleTarget, leg->ballTarget ) );
 	const soleRigLeg* rig = leg->rig;
-	const soleVec3 points[] = { rig->heel, rig->toe, rig->inner, rig->outer };
-	soleVec3 normal = leg->out->planeNormal_w;
-	float ballRise = soleDot( leg->ballTarget, normal );
-	soleVec3 ground = soleSub( leg->out->planePoint_w, work->root_w );
-	float floor = soleMinF( soleDot( ground, normal ), ballRise );
-	float raise = 0.0f;
-	for ( int32_t i = 0; i < 4; ++i )
+	const soleVec3 points[] = { rig->heel, rig->inner, rig->outer, rig->toe };
+	int32_t count = rig->toeSlot != SOLE_NONE ? 3 : 4;
+	float lowest = 0.0f;
+	for ( int32_t i = 0; i < count; ++i )
 	{
-		soleVec3 local = soleMul( leg->foot.scale, soleSub( points[i], rig->ball ) );
-		float before = ballRise + soleDot( soleRotate( wanted, local ), normal );
-		float after = ballRise + soleDot( soleRotate( turned, local ), normal );
-		raise = soleMaxF( raise, soleMinF( before, floor ) - after );
+		soleVec3 arm = soleRotate( foot, soleMul( leg->foot.scale, soleSub( points[i], rig->ball ) ) );
+		lowest = soleMinF( lowest, soleDot( arm, normal ) );
 	}
-	float up = soleMaxF( soleDot( normal, work->up ), 0.1f );
-	soleVec3 lift = soleScale( raise / up, work->up );
-	leg->ballTarget = soleAdd( leg->ballTarget, lift );
+	return lowest;
+}
+
+/// Sets the targets of a foot that was turned from `wanted` to `turned`: its lowest point stays as high as it was
+/// wanted, its ball where it was along the ground.
+static void soleRetarget( soleLegWork* leg, soleQuat wanted, soleQuat turned )
+{
+	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->ballTarget ) );
+	soleVec3 normal = leg->out->planeNormal_w;
+	float raise = soleLowestPoint( leg, wanted, normal ) - soleLowestPoint( leg, turned, normal );
+	leg->ballTarget = soleMulAdd( leg->ballTarget, raise, normal );
 	leg->ankleTarget = soleAdd( leg->ballTarget, soleRotate( turned, arm ) );
 	leg->footTarget = turned;
 }
@@ -121,7 +123,7 @@ void soleLimitAnkles( solePlaceWork* work )
 		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
 		if ( clamped )
 		{
-			soleRetarget( work, leg, leg->footReached, solePutTogether( rig, shin, turn ) );
+			soleRetarget( leg, leg->footReached, solePutTogether( rig, shin, turn ) );
 			leg->out->flags |= (uint32_t)sole_legAnkleClamped;
 		}
 	}

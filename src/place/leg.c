@@ -154,11 +154,12 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 	{
 		return;
 	}
-	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift );
+	// A foot in flight needs no heel lift: it hangs short of its target instead. The limit comes and goes with contact.
+	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift * leg->state->plantWeight );
 	best = best.s < -most.s ? ( soleHalf ){ most.c, -most.s } : best;
 	soleQuat roll = soleHalfRotation( side, best );
 	leg->footReached = soleNormalizeQuat( soleMulQuat( roll, leg->footReached ) );
-	leg->ankleTarget = soleAdd( leg->ballTarget, soleRotate( roll, a0 ) );
+	leg->ankleGoal = soleAdd( leg->ballTarget, soleRotate( roll, a0 ) );
 	leg->out->flags |= (uint32_t)sole_legHeelLifted;
 }
 
@@ -168,9 +169,11 @@ static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
 {
 	int32_t knee = leg->rig->kneeIndex;
 	leg->hip = soleMulAdd( leg->joints[0], work->pelvisShift, work->up );
+	leg->ankleGoal = leg->ankleTarget;
 	leg->footReached = leg->footTarget;
 	soleReach reach = soleGetReach( work, leg );
-	if ( leg->weight > 0.0f && soleDistance( leg->hip, leg->ankleTarget ) > reach.soft )
+	if ( leg->weight > 0.0f && leg->state->plantWeight > 0.0f &&
+	    soleDistance( leg->hip, leg->ankleTarget ) > reach.soft )
 	{
 		soleLiftHeel( work, leg, reach.soft );
 	}
@@ -179,7 +182,7 @@ static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
 		.hip = leg->hip,
 		.knee = soleMulAdd( leg->joints[knee], work->pelvisShift, work->up ),
 		.ankle = soleMulAdd( leg->ankle, work->pelvisShift, work->up ),
-		.target = leg->ankleTarget,
+		.target = leg->ankleGoal,
 		.hinge = soleRotate( leg->rotations[0], leg->rig->hinge ),
 	};
 	float bones = soleDistance( def.hip, def.knee ) + soleDistance( def.knee, def.ankle );
@@ -192,9 +195,9 @@ static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
 	leg->kneeTurn = result.knee;
 	leg->ankleReached = result.ankle;
 	leg->out->flags |= result.flags;
-	leg->out->ankleTarget_w = soleAdd( leg->ankleTarget, work->root_w );
+	leg->out->ankleTarget_w = soleAdd( leg->ankleGoal, work->root_w );
 	leg->out->ankle_w = soleAdd( result.ankle, work->root_w );
-	leg->out->error = soleDistance( result.ankle, leg->ankleTarget );
+	leg->out->error = soleDistance( result.ankle, leg->ankleGoal );
 	leg->out->extension = soleDistance( leg->hip, result.ankle ) / leg->length;
 }
 

@@ -53,6 +53,7 @@ typedef struct soleLegWork
 	soleVec3 forward;                             // horizontal heading of the foot, unit
 	soleVec3 side;                                // forward x up
 	float ankleRise, heelRise, ballRise, toeRise; // over the clip's floor
+	float sunk;                                   // how far the clip itself has the sole under its floor
 	float heelSpeed, ballSpeed;                   // over the ground, with the root's motion
 	soleVec3 ballVelocity, heelVelocity;          // horizontal
 
@@ -83,6 +84,7 @@ typedef struct soleLegWork
 	soleVec3 hip; // with the pelvis moved
 	soleQuat hipTurn, kneeTurn;
 	soleVec3 ankleReached;
+	soleVec3 ankleGoal;   // ankleTarget and
 	soleQuat footReached; // footTarget with the heel raised
 } soleLegWork;
 

@@ -78,6 +78,11 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	leg->heelRise = soleDot( soleSub( leg->heel, work->floor ), work->rootUp );
 	leg->ballRise = soleDot( soleSub( leg->ball, work->floor ), work->rootUp );
 	leg->toeRise = soleDot( soleSub( leg->toe, work->floor ), work->rootUp );
+	soleVec3 inner = soleTransformPoint( leg->foot, rig->inner );
+	soleVec3 outer = soleTransformPoint( leg->foot, rig->outer );
+	float edges = soleMinF( soleDot( inner, work->rootUp ), soleDot( outer, work->rootUp ) );
+	float lowest = soleMinF( edges - soleDot( work->floor, work->rootUp ), soleMinF( leg->heelRise, leg->ballRise ) );
+	leg->sunk = soleMaxF( -lowest, 0.0f );
 }
 
 /// Horizontal velocity of a sole point since the last frame, and its speed with the change of its height.

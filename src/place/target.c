@@ -47,6 +47,7 @@ void soleSetTargets( solePlaceWork* work )
 		solePlane plane = soleFlatten( work, leg, work->settings->target.align );
 		soleVec3 q = leg->anchor;
 		soleVec3 goal = soleAtHeight( work, leg->anchorGoal, solePlaneHeight( work, plane, leg->anchorGoal ) );
+		goal = soleMulAdd( goal, leg->sunk, plane.normal );
 		soleQuat tilt = soleFromTo( work->up, plane.normal, leg->forward );
 		// Heights were measured along the root's up: a leaning root is put upright first.
 		soleQuat upright = soleFromTo( work->rootUp, work->up, leg->forward );
