@@ -257,7 +257,10 @@ static soleResult soleRunDetect( soleDetect* detect, soleRigDef* def )
 		soleFindToes( detect, i );
 	}
 	soleFindForward( detect );
-	soleFindPelvis( detect );
+	if ( soleFindPelvis( detect ) == false )
+	{
+		return sole_invalidDefinition;
+	}
 	soleFindStanding( detect );
 	soleCheckLegs( detect );
 	soleFillRig( detect, def );

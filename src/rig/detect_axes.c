@@ -289,7 +289,7 @@ static void soleWeighBody( soleDetect* detect, int32_t pelvis, float hipHeight, 
 	}
 }
 
-void soleFindPelvis( soleDetect* detect )
+bool soleFindPelvis( soleDetect* detect )
 {
 	int32_t pelvis = detect->parents[detect->legs[0].joints[0]];
 	float hipHeight = -1e30f;
@@ -306,10 +306,9 @@ void soleFindPelvis( soleDetect* detect )
 	}
 	if ( pelvis == SOLE_NONE )
 	{
-		detect->pelvis = detect->legs[0].joints[0];
 		soleAddFinding( detect, sole_error, SOLE_NONE, SOLE_NONE, "put all legs below one joint",
 		    "no joint carries all hips: the pelvis can't be moved" );
-		return;
+		return false;
 	}
 	int32_t lowest = pelvis;
 	float inside = 0.0f;
@@ -325,6 +324,7 @@ void soleFindPelvis( soleDetect* detect )
 	soleAddFinding( detect, sole_info, SOLE_NONE, pelvis, "", "is the pelvis: %s",
 	    pelvis == lowest ? "the lowest joint that carries all hips, and the body above them"
 	                     : "the lowest joint that carries all hips and the body above them too" );
+	return true;
 }
 
 // ---------------------------------------------------------------------------------------------------------- checks

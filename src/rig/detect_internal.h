@@ -153,7 +153,8 @@ void soleFindLegsByStructure( soleDetect* detect );
 // detect_axes.c
 void soleFindUp( soleDetect* detect );
 void soleFindForward( soleDetect* detect );
-void soleFindPelvis( soleDetect* detect );
+/// False where no joint carries all hips.
+bool soleFindPelvis( soleDetect* detect );
 void soleCheckLegs( soleDetect* detect );
 
 // detect_hinge.c
