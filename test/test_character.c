@@ -344,6 +344,14 @@ static void bindPoseComesFromTheSkin( void** state )
 	assert_true( shin != SOLE_NONE );
 	soleQuat bend = { 0.5f, 0.0f, 0.0f, 0.8660254f };
 	posed.nodes[shin].local.rotation = soleMulQuat( posed.nodes[shin].local.rotation, bend );
+	// The topmost joint of the skin as well: the body lies in the rest pose.
+	int32_t top = toolFindNode( model, "DEF-hips" );
+	assert_true( top != SOLE_NONE );
+	while ( model->nodes[top].parent != SOLE_NONE && model->nodes[model->nodes[top].parent].parent != SOLE_NONE )
+	{
+		top = model->nodes[top].parent;
+	}
+	posed.nodes[top].local.rotation = soleMulQuat( posed.nodes[top].local.rotation, bend );
 	toolCharacter character;
 	toolError error = { { 0 } };
 	if ( toolMakeCharacter( &posed, "posed", 1.0f, &character, &error ) == false )

@@ -3,7 +3,8 @@
 //
 // An inverse bind matrix I takes a vertex from the space of the mesh to that of its joint. The joint's place in the
 // bind pose is then P I^-1, where P, the same for all joints of a skin, takes the mesh's space to the scene. glTF has
-// no P. Where the rest pose is the bind pose, rest * I is P for each joint; else that of the topmost joint is taken.
+// no P. Where the rest pose is the bind pose, rest * I is P for each joint. Else it is the place of the mesh's node, as
+// most exporters have it, where that has the size of rest * I of the topmost joint; else it is the latter.
 #include "character_internal.h"
 
 #include <float.h>
@@ -259,6 +260,25 @@ static bool toolFindPlacement(
 	return worst <= SAME_POSE * size;
 }
 
+/// The place of a node that shows the skin's mesh, where it is believable as the space of that mesh.
+static void toolPreferMeshNode( const toolModel* model, const soleTransform* rest, int32_t skin, toolMatrix* placement )
+{
+	for ( int32_t i = 0; i < model->nodeCount; ++i )
+	{
+		if ( model->nodes[i].skin != skin || model->nodes[i].mesh == SOLE_NONE )
+		{
+			continue;
+		}
+		toolMatrix mesh = toolMatrixOf( rest[i] );
+		double ratio = toolDeterminant( &mesh ) / toolDeterminant( placement );
+		if ( ratio > 0.8 && ratio < 1.25 )
+		{
+			*placement = mesh;
+		}
+		return;
+	}
+}
+
 /// Places of joints in their bind pose; those without a skin keep their place against their parent.
 static void toolBindSkins( toolCharacter* character, const int32_t* order )
 {
@@ -281,6 +301,7 @@ static void toolBindSkins( toolCharacter* character, const int32_t* order )
 		{
 			continue; // the rest pose is the bind pose and more exact
 		}
+		toolPreferMeshNode( model, rest, s, &placement );
 		for ( int32_t i = 0; i < skin->jointCount; ++i )
 		{
 			int32_t joint = skin->joints[i];

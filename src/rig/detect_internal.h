@@ -9,6 +9,17 @@
 /// A human leg in metres. Lengths that are known for humans are turned to other sizes by the ratio of leg lengths.
 #define SOLE_HUMAN_LEG 0.9f
 
+/// Of a human foot, in metres at that leg.
+#define SOLE_HUMAN_BAND 0.02f        // vertices this close to the sole plane belong to the sole
+#define SOLE_HUMAN_ANKLE 0.085f      // ankle over the sole
+#define SOLE_HUMAN_TOE_JOINT 0.02f   // toe joint over the sole
+#define SOLE_HUMAN_HEEL 0.07f        // heel behind the ankle
+#define SOLE_HUMAN_TOE 0.07f         // toe tip in front of the toe joint
+#define SOLE_HUMAN_FOOT 0.2f         // toe tip in front of the ankle
+#define SOLE_HUMAN_HALF_WIDTH 0.045f // of the ball
+#define SOLE_HUMAN_ORIGIN 0.06f      // a floor this close to the origin is the origin's
+#define SOLE_HUMAN_BALL 0.17f        // an end this close to the ankle is the ball's, not the toes'
+
 /// Walks along parents stop here: hostile files have chains of any depth, legs don't.
 #define SOLE_DETECT_WALK 64
 
@@ -109,13 +120,30 @@ const char* soleNameLeg( const soleDetect* detect, int32_t leg );
 
 /// Whether joint is ancestor or hangs below it.
 bool soleDetect_IsBelow( const soleDetect* detect, int32_t joint, int32_t ancestor );
+/// ints[joint]: 1 for a joint and all below it, 0 for all others.
+void soleDetect_MarkBelow( soleDetect* detect, int32_t top );
 /// The joint that ends the leg: detached foot, ankle, or the last one where the ankle is virtual.
 int32_t soleFoundLeg_GetFoot( const soleFoundLeg* leg );
+/// The first toe joint, else the joint that marks the end of the foot, else SOLE_NONE.
+int32_t soleFoundLeg_GetEnd( const soleFoundLeg* leg );
+/// What a metre of a human is on this leg.
+float soleFoundLeg_GetUnit( const soleFoundLeg* leg );
 void soleFoundLeg_Measure( const soleDetect* detect, soleFoundLeg* leg );
 soleFoundLeg soleEmptyLeg( void );
 
-// detect_names.c
+// detect_ready.c
+bool soleCheckSkeleton( soleDetect* detect );
+bool soleAllocateDetect( soleDetect* detect );
+/// Parents before children. False where parents run in a circle.
+bool soleOrderJoints( soleDetect* detect );
+bool solePlaceJoints( soleDetect* detect );
+void soleCountChildren( soleDetect* detect );
+void soleSortSkin( soleDetect* detect );
+
+// detect_words.c
 void soleParseNames( soleDetect* detect );
+
+// detect_names.c
 void soleFindLegsByRoles( soleDetect* detect );
 void soleFindLegsByNames( soleDetect* detect );
 
@@ -125,8 +153,11 @@ void soleFindLegsByStructure( soleDetect* detect );
 // detect_axes.c
 void soleFindUp( soleDetect* detect );
 void soleFindForward( soleDetect* detect );
-void soleFindPelvis( soleDetect* detect );
+/// False where no joint carries all hips.
+bool soleFindPelvis( soleDetect* detect );
 void soleCheckLegs( soleDetect* detect );
+
+// detect_hinge.c
 /// The axis about which a knee bends.
 soleVec3 soleFindHinge( soleDetect* detect, int32_t leg );
 
@@ -134,10 +165,12 @@ soleVec3 soleFindHinge( soleDetect* detect, int32_t leg );
 /// Toe joints and tip below the ankle.
 void soleFindToes( soleDetect* detect, int32_t leg );
 
+// detect_stance.c
+void soleFindStanding( soleDetect* detect );
+
 // detect_sole.c
 /// Where the skin ends below a leg without an ankle joint.
 void soleFindVirtualAnkle( soleDetect* detect, int32_t leg );
-void soleFindStanding( soleDetect* detect );
 soleSolePoints soleFindSole( soleDetect* detect, int32_t leg );
 
 #endif

@@ -6,17 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/// Of a human foot, in metres at a leg of 0.9 m.
-#define HUMAN_BAND 0.02f        // vertices this close to the sole plane belong to the sole
-#define HUMAN_ANKLE 0.085f      // ankle over the sole
-#define HUMAN_TOE_JOINT 0.02f   // toe joint over the sole
-#define HUMAN_HEEL 0.07f        // heel behind the ankle
-#define HUMAN_TOE 0.07f         // toe tip in front of the toe joint
-#define HUMAN_FOOT 0.2f         // toe tip in front of the ankle
-#define HUMAN_HALF_WIDTH 0.045f // of the ball
-#define HUMAN_ORIGIN 0.06f      // a floor this close to the origin is the origin's
-#define HUMAN_BALL 0.17f        // an end this close to the ankle is the ball's, not the toes'
-#define BALL_SHARE 0.73f        // where the ball is on a sole, from heel 0 to toe 1
+#define BALL_SHARE 0.73f // where the ball is on a sole, from heel 0 to toe 1
 
 typedef struct soleFootFrame
 {
@@ -26,23 +16,7 @@ typedef struct soleFootFrame
 	float unit; // what a metre of a human is here
 } soleFootFrame;
 
-static float soleUnit( const soleFoundLeg* leg )
-{
-	return leg->length / SOLE_HUMAN_LEG;
-}
-
 // ------------------------------------------------------------------------------------------------------------ skin
-
-/// Marks joints that carry the foot.
-static void soleMarkFoot( soleDetect* detect, int32_t foot )
-{
-	for ( int32_t k = 0; k < detect->jointCount; ++k )
-	{
-		int32_t joint = detect->order[k];
-		int32_t parent = detect->parents[joint];
-		detect->ints[joint] = joint == foot || ( parent != SOLE_NONE && detect->ints[parent] != 0 ) ? 1 : 0;
-	}
-}
 
 static int32_t soleCountFoot( const soleDetect* detect )
 {
@@ -202,7 +176,7 @@ static soleSolePoints soleFindSkinSole( soleDetect* detect, int32_t index, const
 	float* vertices = detect->vertexFloats;
 	qsort( vertices, (size_t)count, 3 * sizeof( float ), soleCompareHeights );
 	float height = solePlaneHeight( vertices, count );
-	int32_t inside = soleCountBand( vertices, count, height + HUMAN_BAND * frame->unit );
+	int32_t inside = soleCountBand( vertices, count, height + SOLE_HUMAN_BAND * frame->unit );
 	float heel = 1e30f;
 	float toe = -1e30f;
 	for ( int32_t i = 0; i < inside; ++i )
@@ -251,11 +225,11 @@ static bool soleMarkFootSkin( soleDetect* detect, const soleFoundLeg* leg )
 	{
 		return false;
 	}
-	soleMarkFoot( detect, soleFoundLeg_GetFoot( leg ) );
+	soleDetect_MarkBelow( detect, soleFoundLeg_GetFoot( leg ) );
 	int32_t last = leg->jointCount - 1;
 	for ( int32_t i = last; i >= 1 && soleCountFoot( detect ) < 3; --i )
 	{
-		soleMarkFoot( detect, leg->joints[i] );
+		soleDetect_MarkBelow( detect, leg->joints[i] );
 	}
 	return soleCountFoot( detect ) >= 3;
 }
@@ -279,7 +253,8 @@ void soleFindVirtualAnkle( soleDetect* detect, int32_t index )
 	int32_t count = soleGatherFoot( detect, &frame );
 	qsort( detect->vertexFloats, (size_t)count, 3 * sizeof( float ), soleCompareHeights );
 	float height = solePlaneHeight( detect->vertexFloats, count );
-	int32_t inside = soleCountBand( detect->vertexFloats, count, height + HUMAN_BAND * soleUnit( leg ) );
+	int32_t inside =
+	    soleCountBand( detect->vertexFloats, count, height + SOLE_HUMAN_BAND * soleFoundLeg_GetUnit( leg ) );
 	float middle[2] = { 0.0f, 0.0f };
 	for ( int32_t i = 0; i < inside; ++i )
 	{
@@ -296,87 +271,11 @@ void soleFindVirtualAnkle( soleDetect* detect, int32_t index )
 	leg->ankleFromSkin = true;
 }
 
-// -------------------------------------------------------------------------------------------------------- standing
-
-static int32_t soleGetFootEnd( const soleFoundLeg* leg )
-{
-	return leg->toeCount > 0 ? leg->toes[0] : leg->tip;
-}
-
-/// Angle of ankle to toe below the horizontal.
-static float solePitch( const soleDetect* detect, const soleFoundLeg* leg )
-{
-	int32_t toe = soleGetFootEnd( leg );
-	if ( toe == SOLE_NONE )
-	{
-		return 0.0f;
-	}
-	soleVec3 d = soleSub( detect->position[toe], leg->ankle );
-	float down = -soleDot( d, detect->up );
-	return atan2f( down, soleLength( soleReject( d, detect->up ) ) );
-}
-
-/// Lowest that a leg's joints say the floor can be.
-static float soleLowest( const soleDetect* detect, const soleFoundLeg* leg )
-{
-	float unit = soleUnit( leg );
-	float low = soleDot( leg->ankle, detect->up );
-	if ( leg->tip == SOLE_NONE && leg->toeCount == 0 )
-	{
-		return leg->hasVirtualAnkle || detect->legCount > 2 || leg->jointCount > 3 ? low : low - HUMAN_ANKLE * unit;
-	}
-	if ( leg->toeCount > 0 )
-	{
-		low = soleMinF( low, soleDot( detect->position[leg->toes[0]], detect->up ) - HUMAN_TOE_JOINT * unit );
-	}
-	if ( leg->tip != SOLE_NONE )
-	{
-		float below = leg->toeCount == 0 ? HUMAN_TOE_JOINT * unit : 0.0f;
-		low = soleMinF( low, soleDot( detect->position[leg->tip], detect->up ) - below );
-	}
-	return low;
-}
-
-void soleFindStanding( soleDetect* detect )
-{
-	detect->standing = true;
-	detect->floor = 1e30f;
-	float unit = soleUnit( detect->legs + 0 );
-	float ankleLow = 1e30f;
-	float ankleHigh = -1e30f;
-	float pitchLow = 1e30f;
-	float pitchHigh = -1e30f;
-	for ( int32_t i = 0; i < detect->legCount; ++i )
-	{
-		const soleFoundLeg* leg = detect->legs + i;
-		float height = soleDot( leg->ankle, detect->up );
-		float pitch = solePitch( detect, leg );
-		ankleLow = soleMinF( ankleLow, height );
-		ankleHigh = soleMaxF( ankleHigh, height );
-		pitchLow = soleMinF( pitchLow, pitch );
-		pitchHigh = soleMaxF( pitchHigh, pitch );
-		detect->floor = soleMinF( detect->floor, soleLowest( detect, leg ) );
-	}
-	if ( fabsf( detect->floor ) < HUMAN_ORIGIN * unit )
-	{
-		detect->floor = 0.0f;
-	}
-	if ( detect->legCount == 2 &&
-	    ( ankleHigh - ankleLow > 0.05f * detect->legs[0].length || pitchHigh - pitchLow > 0.2f || pitchLow < -0.1f ) )
-	{
-		detect->standing = false;
-		soleAddFinding( detect, sole_warning, SOLE_NONE, SOLE_NONE,
-		    "export with a bind pose that stands flat, or give the sole points by hand",
-		    "bind pose is no standing pose: ankle heights differ by %.3g, foot pitch by %.0f degrees; soles are estimated",
-		    (double)( ankleHigh - ankleLow ), (double)( ( pitchHigh - pitchLow ) * 57.29578f ) );
-	}
-}
-
 // ---------------------------------------------------------------------------------------------------------- frames
 
 static soleFootFrame soleStandingFrame( const soleDetect* detect, const soleFoundLeg* leg )
 {
-	soleFootFrame frame = { detect->forward, detect->lateral, detect->up, soleUnit( leg ) };
+	soleFootFrame frame = { detect->forward, detect->lateral, detect->up, soleFoundLeg_GetUnit( leg ) };
 	int32_t toe = leg->tip != SOLE_NONE ? leg->tip : ( leg->toeCount > 0 ? leg->toes[leg->toeCount - 1] : SOLE_NONE );
 	if ( toe != SOLE_NONE )
 	{
@@ -413,7 +312,7 @@ static soleFootFrame soleFlattestFrame( soleDetect* detect, const soleFootFrame*
 		int32_t count = soleGatherFoot( detect, &frame );
 		qsort( detect->vertexFloats, (size_t)count, 3 * sizeof( float ), soleCompareHeights );
 		float height = solePlaneHeight( detect->vertexFloats, count );
-		int32_t inside = soleCountBand( detect->vertexFloats, count, height + 0.5f * HUMAN_BAND * frame.unit );
+		int32_t inside = soleCountBand( detect->vertexFloats, count, height + 0.5f * SOLE_HUMAN_BAND * frame.unit );
 		float mean = 0.0f;
 		float spread = 0.0f;
 		for ( int32_t v = 0; v < inside; ++v )
@@ -437,7 +336,7 @@ static soleFootFrame soleFlattestFrame( soleDetect* detect, const soleFootFrame*
 /// A foot in the air without a skin: turned so that ankle and toe joint are as high over the sole as a human's are.
 static soleFootFrame soleHumanFrame( const soleDetect* detect, const soleFoundLeg* leg, const soleFootFrame* level )
 {
-	int32_t toe = soleGetFootEnd( leg );
+	int32_t toe = soleFoundLeg_GetEnd( leg );
 	if ( toe == SOLE_NONE )
 	{
 		return *level;
@@ -448,7 +347,7 @@ static soleFootFrame soleHumanFrame( const soleDetect* detect, const soleFoundLe
 	{
 		return *level;
 	}
-	float wanted = ( HUMAN_ANKLE - ( leg->toeCount > 0 ? HUMAN_TOE_JOINT : 0.0f ) ) * level->unit;
+	float wanted = ( SOLE_HUMAN_ANKLE - ( leg->toeCount > 0 ? SOLE_HUMAN_TOE_JOINT : 0.0f ) ) * level->unit;
 	float sine = soleClampF( wanted / reach, 0.0f, 0.9f );
 	soleVec3 along = soleScale( 1.0f / reach, d );
 	soleVec3 square = soleCross( along, level->lateral );
@@ -466,9 +365,9 @@ static soleSolePoints soleFindJointSole( soleDetect* detect, int32_t index, cons
 	float unit = frame->unit;
 	soleVec3 foot = leg->detachedFoot != SOLE_NONE ? detect->position[leg->detachedFoot] : leg->ankle;
 	float ankle = soleDot( foot, frame->forward );
-	float heel = ankle - HUMAN_HEEL * unit;
+	float heel = ankle - SOLE_HUMAN_HEEL * unit;
 	float ball = 0.0f;
-	float toe = ankle + HUMAN_FOOT * unit;
+	float toe = ankle + SOLE_HUMAN_FOOT * unit;
 	bool point = ( detect->legCount > 2 || leg->hasVirtualAnkle ) && leg->toeCount == 0 && leg->tip == SOLE_NONE;
 	if ( point )
 	{
@@ -476,15 +375,15 @@ static soleSolePoints soleFindJointSole( soleDetect* detect, int32_t index, cons
 		toe = ankle + 0.02f * leg->length;
 	}
 	float end = leg->tip != SOLE_NONE ? soleDot( detect->position[leg->tip], frame->forward ) : ankle;
-	bool endsAtBall = leg->toeCount == 0 && end - ankle < HUMAN_BALL * unit;
+	bool endsAtBall = leg->toeCount == 0 && end - ankle < SOLE_HUMAN_BALL * unit;
 	if ( leg->tip != SOLE_NONE )
 	{
-		toe = end + ( endsAtBall ? HUMAN_TOE * unit : 0.0f );
+		toe = end + ( endsAtBall ? SOLE_HUMAN_TOE * unit : 0.0f );
 	}
 	else if ( leg->toeCount > 0 )
 	{
 		toe = soleDot( detect->position[leg->toes[leg->toeCount - 1]], frame->forward ) +
-		    ( leg->toeCount == 1 ? HUMAN_TOE * unit : 0.02f * unit );
+		    ( leg->toeCount == 1 ? SOLE_HUMAN_TOE * unit : 0.02f * unit );
 	}
 	toe = soleMaxF( toe, heel + 0.04f * leg->length );
 	ball = heel + BALL_SHARE * ( toe - heel );
@@ -502,10 +401,10 @@ static soleSolePoints soleFindJointSole( soleDetect* detect, int32_t index, cons
 	float height = detect->floor;
 	if ( detect->standing == false )
 	{
-		height = soleDot( foot, frame->normal ) - HUMAN_ANKLE * unit;
+		height = soleDot( foot, frame->normal ) - SOLE_HUMAN_ANKLE * unit;
 		if ( leg->toeCount > 0 )
 		{
-			float below = soleDot( detect->position[leg->toes[0]], frame->normal ) - HUMAN_TOE_JOINT * unit;
+			float below = soleDot( detect->position[leg->toes[0]], frame->normal ) - SOLE_HUMAN_TOE_JOINT * unit;
 			height = soleMinF( height, below );
 		}
 	}
@@ -514,7 +413,7 @@ static soleSolePoints soleFindJointSole( soleDetect* detect, int32_t index, cons
 	soleAddFinding( detect, sole_warning, index, SOLE_NONE, "give the mesh, or the sole points by hand",
 	    "no skin tells where the sole is: taken from the joints as a human's, %.3g below the ankle",
 	    (double)( soleDot( foot, frame->normal ) - height ) );
-	float half = ( point ? 0.02f * leg->length : HUMAN_HALF_WIDTH * unit );
+	float half = ( point ? 0.02f * leg->length : SOLE_HUMAN_HALF_WIDTH * unit );
 	return soleMakeSole( detect, index, frame, along, lateral, half, height );
 }
 

@@ -300,17 +300,6 @@ static void soleMergeFeet( const soleDetect* detect, soleAttempt* attempt )
 	}
 }
 
-/// ints[joint]: 1 for a joint and all below it.
-static void soleMarkBelow( soleDetect* detect, int32_t top )
-{
-	for ( int32_t k = 0; k < detect->jointCount; ++k )
-	{
-		int32_t joint = detect->order[k];
-		int32_t parent = detect->parents[joint];
-		detect->ints[joint] = joint == top || ( parent != SOLE_NONE && detect->ints[parent] != 0 ) ? 1 : 0;
-	}
-}
-
 /// A paw that hangs from elsewhere, and the leg that ends where it is.
 static void soleFindDetachedLegs( soleDetect* detect, soleAttempt* attempt )
 {
@@ -324,7 +313,7 @@ static void soleFindDetachedLegs( soleDetect* detect, soleAttempt* attempt )
 		}
 		int32_t best = SOLE_NONE;
 		float bestDistance = 0.12f * attempt->height;
-		soleMarkBelow( detect, paw );
+		soleDetect_MarkBelow( detect, paw );
 		for ( int32_t j = 0; j < detect->jointCount; ++j )
 		{
 			float distance = soleDistance( detect->position[j], detect->position[paw] );
