@@ -342,6 +342,7 @@ typedef struct soleState
 	uint32_t frameCount; // frames since the last reset; 0: nothing is remembered
 	soleVec3 root_w;     // last position of the root
 	float rootSpeed;     // its last speed along up
+	float rootSuspect;   // a speed that it may have taken up, or a jump
 	soleOffset1 pelvis;  // offset of the pelvis along up over the root
 	double worldOrigin[3];
 	int32_t internalValue;

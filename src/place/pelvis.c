@@ -142,18 +142,21 @@ static void soleCompensateRoot( solePlaceWork* work, float legLength )
 	{
 		return;
 	}
+	// What goes on for a second frame is a new speed, not a jump.
 	float dt = work->timeStep;
 	float step = soleDot( soleSub( work->root_w, state->root_w ), work->up );
-	float extra = step - state->rootSpeed * dt;
-	float size = extra < 0.0f ? -extra : extra;
+	float speed = step / dt;
 	float jump = soleMaxF( work->settings->pelvis.rootJump * legLength, JUMP_SPEED * legLength * dt );
+	float extra = step - state->rootSpeed * dt;
+	float again = step - state->rootSuspect * dt;
+	bool lasting = ( extra <= jump && extra >= -jump ) || ( again <= jump && again >= -jump );
 	state->pelvis.value -= extra;
-	if ( size <= jump )
+	if ( lasting )
 	{
-		float speed = step / dt;
 		state->pelvis.velocity -= speed - state->rootSpeed;
 		state->rootSpeed = speed;
 	}
+	state->rootSuspect = speed;
 }
 
 /// An offset within what the planted legs allow. Where their limits cross, reach wins and a leg folds.
@@ -190,6 +193,7 @@ void soleMovePelvis( solePlaceWork* work )
 	{
 		state->pelvis = ( soleOffset1 ){ soleBind( wishes, goal ), 0.0f };
 		state->rootSpeed = 0.0f;
+		state->rootSuspect = 0.0f;
 	}
 	else if ( work->timeStep > 0.0f )
 	{

@@ -63,7 +63,8 @@ static void soleShiftState( soleState* state, const soleFrame* frame, int32_t le
 static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 {
 	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->rootSpeed ) &&
-	    soleIsFinite( state->pelvis.value ) && soleIsFinite( state->pelvis.velocity );
+	    soleIsFinite( state->rootSuspect ) && soleIsFinite( state->pelvis.value ) &&
+	    soleIsFinite( state->pelvis.velocity );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
 		const soleLegState* leg = state->legs + i;
