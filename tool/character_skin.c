@@ -341,11 +341,7 @@ static void toolBindSkins( toolCharacter* character, const int32_t* order )
 void toolFindBindPose( toolCharacter* character )
 {
 	character->bindPose = toolAlloc( (size_t)character->jointCount, sizeof( soleTransform ) );
-	toolRestPose( character, character->bindPose );
-	for ( int32_t i = 0; i < character->jointCount; ++i )
-	{
-		character->bindPose[i].rotation = soleNormalizeQuat( character->bindPose[i].rotation );
-	}
+	toolGetRestPose( character, character->bindPose );
 	int32_t* order = toolOrderNodes( character );
 	toolBindSkins( character, order );
 	free( order );

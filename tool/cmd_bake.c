@@ -103,7 +103,7 @@ static double toolGetDistance( const toolBakeOptions* options, const toolTravel*
 	{
 		return options->distance;
 	}
-	if ( own < 0.1 && options->speed <= 0.0 )
+	if ( toolIsStanding( travel ) && travel->rootMotion == false && options->speed <= 0.0 )
 	{
 		return 0.0;
 	}
@@ -135,7 +135,9 @@ static bool toolLayWay(
 		*start = options->start;
 		return true;
 	}
-	if ( job->ground.path != NULL && options->hasHeading == false && options->hasDistance == false )
+	// A capture goes its own way, from about the middle; what loops can be led.
+	bool led = travel->rootMotion == false || travel->loops;
+	if ( job->ground.path != NULL && led && options->hasHeading == false && options->hasDistance == false )
 	{
 		def->path = job->ground.path;
 		def->pathCount = job->ground.pathCount;
@@ -384,7 +386,7 @@ int toolRunBake( int argc, char** argv )
 	bool good = toolOpenJob( &job, &error ) && toolBakeClips( &job, &error ) && toolWriteBake( &job, &error );
 	if ( good && job.options.json )
 	{
-		puts( json_object_to_json_string_ext( job.report, JSON_C_TO_STRING_PRETTY ) );
+		puts( json_object_to_json_string_ext( job.report, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_NOSLASHESCAPE ) );
 	}
 	status = good ? tool_done : toolReportFailure( &error );
 	toolCloseJob( &job );

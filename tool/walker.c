@@ -13,7 +13,8 @@
 #define TICK ( 1.0 / 480.0 )
 #define GRAVITY 9.81
 #define TURN_RATE PI              // rad/s
-#define STANDING_SPEED 0.1        // m/s; slower strides are none
+#define STANDING_SPEED 0.1f       // m/s; slower strides are none
+#define ONCE_SPEED 0.5f           // m/s; nor are these in a clip that does not loop
 #define BOTTOMLESS_TIME 0.2       // s of fall without any ground below until the path is said to leave the ground
 #define DEEP 1000.0               // m; looked for ground further than the box around it, for planes have none
 #define LONGEST_WALK 3600.0       // s
@@ -304,12 +305,18 @@ static double toolFindDuration( const toolWalker* walker, double length )
 	return def->duration > 0.0 && ( endless || def->duration < whole ) ? def->duration : whole;
 }
 
+bool toolIsStanding( const toolTravel* travel )
+{
+	float least = travel->loops || travel->rootMotion ? STANDING_SPEED : ONCE_SPEED;
+	return soleLength( travel->strideVelocity ) < least;
+}
+
 static void toolFindSpeed( toolWalker* walker )
 {
 	const toolWalkDef* def = walker->def;
 	double own = (double)soleLength( def->travel->strideVelocity );
 	walker->rate = 1.0;
-	if ( own < STANDING_SPEED )
+	if ( toolIsStanding( def->travel ) )
 	{
 		walker->speed = def->travel->rootMotion ? own : fmax( def->speed, 0.0 );
 		return;

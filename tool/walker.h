@@ -52,13 +52,16 @@ typedef struct toolWalk
 
 toolWalkDef toolDefaultWalkDef( void );
 
+/// Does a clip stand, or do something on the spot? One that does not loop is no gait unless its feet clearly say so.
+bool toolIsStanding( const toolTravel* travel );
+
 /// The place on the ground that a place means; its y is always a number then.
 bool toolFindGround( const soleGround* ground, const char* groundName, toolPlace* place, toolError* error );
 
-/// In-place clips go along the path at their stride speed and face so that the stride follows it; root motion goes by
-/// its own root, from the start along the first heading, and on a path that bends as far along it as its root has come
-/// forwards. The root's height steps up and down at once as far as a step may be high, and falls where there is
-/// nothing below. The root at a time is the same at any frame rate.
+/// In-place clips go along the path at their stride speed and face so that the stride follows it; those that stand stay
+/// at its start. Root motion goes by its own root, from the start along the first heading, and on a path that bends as
+/// far along it as its root has come forwards. The root's height steps up and down at once as far as a step may be
+/// high, and falls where there is nothing below. The root at a time is the same at any frame rate.
 bool toolMakeWalk( const toolWalkDef* def, toolWalk* walk, toolError* error );
 void toolFreeWalk( toolWalk* walk );
 
