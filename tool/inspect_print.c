@@ -3,6 +3,7 @@
 #include "inspect.h"
 
 #include <json-c/json.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -148,6 +149,10 @@ void toolPrintInspection( const char* path, const toolCharacter* character, cons
 /// Six digits are more than a float of such sizes has.
 static struct json_object* toolJsonNumber( double value )
 {
+	if ( isfinite( value ) == 0 )
+	{
+		return NULL; // null: JSON has no other word for it
+	}
 	char text[32];
 	snprintf( text, sizeof text, "%.6g", value == 0.0 ? 0.0 : value );
 	return json_object_new_double_s( strtod( text, NULL ), text );
