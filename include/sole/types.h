@@ -156,8 +156,8 @@ typedef struct soleSettings
 
 	struct
 	{
-		float speedOn;         // slower than this may plant. L/s [0, 20] default 0.33
-		float speedOff;        // faster than this releases. L/s [0, 40] default 1.1
+		float speedOn;         // slower than this may plant. L/s [0, 20] default 0.25
+		float speedOff;        // faster than this releases. L/s [0, 40] default 0.6
 		float heightOn;        // a sole point lower than this over the clip's floor may plant. L [0, 1] default 0.025
 		float heightOff;       // higher than this releases. L [0, 1] default 0.05
 		float lockDistance;    // a lock is given up further than this from the animation. L [0, 2] default 0.25
