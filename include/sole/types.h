@@ -160,6 +160,7 @@ typedef struct soleSettings
 		float speedOff;        // faster than this releases. L/s [0, 40] default 0.6
 		float heightOn;        // a sole point lower than this over the clip's floor may plant. L [0, 1] default 0.025
 		float heightOff;       // higher than this releases. L [0, 1] default 0.05
+		float settle;          // a foot that looks planted for this long is. s [0, 1] default 0.033
 		float lockDistance;    // a lock is given up further than this from the animation. L [0, 2] default 0.25
 		float lockAngle;       // or turned further than this. rad [0, 3] default 0.79 (45 degrees)
 		float captureHalfLife; // decay of what is left of the motion when a foot is locked. s [0, 1] default 0.05
@@ -331,8 +332,9 @@ typedef struct soleLegState
 	soleOffset3 gradient; // what is left of slope changes
 	float heelRise;       // their heights over the clip's floor
 	float ballRise;
-	float ground; // 0 no ground .. 1 ground under this foot
-	float time;   // since the last change of contact, s
+	float ground;      // 0 no ground .. 1 ground under this foot
+	float time;        // since the last change of contact, s
+	float contactTime; // for how long the foot has been in contact by its motion, s
 } soleLegState;
 
 /// All memory of one character: plain data, copy to save, assign to roll back. soleState_GetByteCount() tells how

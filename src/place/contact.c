@@ -10,6 +10,8 @@
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
 #include "place/place.h"
 
+#define SETTLED 1e3f // s: longer than any setting
+
 static bool soleHold( bool on, float speed, float rise, float speedOn, float speedOff, float heightOn, float heightOff )
 {
 	return on ? speed <= speedOff && rise <= heightOff : speed < speedOn && rise < heightOn;
@@ -32,6 +34,10 @@ static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 	}
 	heelOn = leg->contactInput.heel >= 0.0f ? leg->contactInput.heel >= 0.5f : heelOn;
 	toeOn = leg->contactInput.toe >= 0.0f ? leg->contactInput.toe >= 0.5f : toeOn;
+	// What the host says counts at once; what only looks like contact has to last.
+	bool told = ( heelOn && leg->contactInput.heel >= 0.0f ) || ( toeOn && leg->contactInput.toe >= 0.0f );
+	bool skip = told || work->first;
+	state->contactTime = heelOn || toeOn ? ( skip ? SETTLED : state->contactTime + work->timeStep ) : 0.0f;
 	state->flags &= ~(uint32_t)( sole_stateHeelOn | sole_stateToeOn );
 	state->flags |= heelOn ? (uint32_t)sole_stateHeelOn : 0u;
 	state->flags |= toeOn ? (uint32_t)sole_stateToeOn : 0u;
@@ -160,6 +166,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	soleLegState* state = leg->state;
 	bool contact = ( state->flags & ( sole_stateHeelOn | sole_stateToeOn ) ) != 0;
 	bool possible = contact && leg->hasGround && leg->weight > 0.0f;
+	bool settled = state->contactTime > work->settings->contact.settle;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );
@@ -174,7 +181,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	{
 		soleFree( work, leg );
 		state->flags &= contact ? ~0u : ~(uint32_t)sole_stateBarred;
-		if ( possible && ( state->flags & sole_stateBarred ) == 0 )
+		if ( possible && settled && ( state->flags & sole_stateBarred ) == 0 )
 		{
 			soleCapture( work, leg );
 		}

@@ -75,8 +75,8 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleVec3_IsFinite( leg->gradient.value ) && soleVec3_IsFinite( leg->gradient.velocity ) &&
 		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
 		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
-		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->say ) && soleIsFinite( leg->heelRise ) &&
-		    soleIsFinite( leg->ballRise );
+		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->say ) && soleIsFinite( leg->contactTime ) &&
+		    soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise );
 	}
 	return finite;
 }

@@ -36,6 +36,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( contact.speedOff, "L/s", 0, 40, 0.6, "A sole point faster than this releases." ),
 	FLOAT( contact.heightOn, "L", 0, 1, 0.025, "A sole point lower than this over the clip's floor may plant." ),
 	FLOAT( contact.heightOff, "L", 0, 1, 0.05, "A sole point higher than this releases." ),
+	FLOAT( contact.settle, "s", 0, 1, 0.033, "A foot that looks planted for this long is planted." ),
 	FLOAT( contact.lockDistance, "L", 0, 2, 0.25, "A lock further than this from the animation is given up." ),
 	FLOAT( contact.lockAngle, "rad", 0, 3, 0.7853982, "A lock turned further than this is given up." ),
 	FLOAT( contact.captureHalfLife, "s", 0, 1, 0.05, "How fast a foot comes to rest when it is locked." ),
