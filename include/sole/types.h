@@ -332,6 +332,8 @@ typedef struct soleLegState
 	soleOffset3 gradient; // what is left of slope changes
 	float heelRise;       // their heights over the clip's floor
 	float ballRise;
+	float heelSpeed; // their speeds over the ground
+	float ballSpeed;
 	float ground;      // 0 no ground .. 1 ground under this foot
 	float time;        // since the last change of contact, s
 	float contactTime; // for how long the foot has been in contact by its motion, s

@@ -8,36 +8,87 @@
 //   locked:  anchor's place = lockPoint + slide             slide decays to 0: what was left of the foot's motion
 // At each change lockPoint and slide are set so that place and velocity go on unbroken; nothing is low-passed, so a
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
+// Contact begins and ends between frames: when, is interpolated, so that a slow frame rate holds the foot at the same
+// place as a fast one.
 #include "place/place.h"
 
 #define SETTLED 1e3f // s: longer than any setting
 
-static bool soleHold( bool on, float speed, float rise, float speedOn, float speedOff, float heightOn, float heightOff )
+/// What decides whether a part of the foot is down.
+typedef struct soleContactLimits
 {
-	return on ? speed <= speedOff && rise <= heightOff : speed < speedOn && rise < heightOn;
+	float speedOn, speedOff, heightOn, heightOff;
+} soleContactLimits;
+
+static bool soleHold( bool on, float speed, float rise, const soleContactLimits* l )
+{
+	return on ? speed <= l->speedOff && rise <= l->heightOff : speed < l->speedOn && rise < l->heightOn;
+}
+
+/// How long ago a value that is past its limit now crossed it, as a share of the frame. 1: it was past it already.
+static float soleCrossed( float before, float now, float limit )
+{
+	float way = now - before;
+	float left = now - limit;
+	return left * way > 0.0f && left * left < way * way ? left / way : 1.0f;
+}
+
+/// How long before the end of the frame a part of the foot came down or left, s. Speeds are differences over a frame:
+/// they belong to its middle.
+static float soleSince(
+    const solePlaceWork* work, bool on, float speed0, float speed, float rise0, float rise, const soleContactLimits* l )
+{
+	float bySpeed = soleCrossed( speed0, speed, on ? l->speedOn : l->speedOff ) + 0.5f;
+	float byRise = soleCrossed( rise0, rise, on ? l->heightOn : l->heightOff );
+	bool fast = speed > l->speedOff;
+	bool high = rise > l->heightOff;
+	if ( on )
+	{
+		// Both had to be met: the later one decided.
+		return soleMinF( bySpeed, byRise ) * work->timeStep;
+	}
+	// One was enough: the earlier one decided.
+	return ( fast && high ? soleMaxF( bySpeed, byRise ) : ( fast ? bySpeed : byRise ) ) * work->timeStep;
 }
 
 static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool heelOn = work->first == false && ( state->flags & sole_stateHeelOn ) != 0;
-	bool toeOn = work->first == false && ( state->flags & sole_stateToeOn ) != 0;
+	bool heelWas = work->first == false && ( state->flags & sole_stateHeelOn ) != 0;
+	bool toeWas = work->first == false && ( state->flags & sole_stateToeOn ) != 0;
+	bool heelOn = heelWas;
+	bool toeOn = toeWas;
 	const soleSettings* s = work->settings;
-	float speedOn = soleMaxF( s->contact.speedOn * leg->length, 0.1f * work->rootSpeed );
-	float speedOff = soleMaxF( s->contact.speedOff * leg->length, 0.2f * work->rootSpeed );
-	float heightOn = s->contact.heightOn * leg->length;
-	float heightOff = s->contact.heightOff * leg->length;
+	soleContactLimits limits = { soleMaxF( s->contact.speedOn * leg->length, 0.1f * work->rootSpeed ),
+		soleMaxF( s->contact.speedOff * leg->length, 0.2f * work->rootSpeed ), s->contact.heightOn * leg->length,
+		s->contact.heightOff * leg->length };
 	if ( work->timeStep > 0.0f || work->first )
 	{
-		heelOn = soleHold( heelOn, leg->heelSpeed, leg->heelRise, speedOn, speedOff, heightOn, heightOff );
-		toeOn = soleHold( toeOn, leg->ballSpeed, leg->ballRise, speedOn, speedOff, heightOn, heightOff );
+		heelOn = soleHold( heelOn, leg->heelSpeed, leg->heelRise, &limits );
+		toeOn = soleHold( toeOn, leg->ballSpeed, leg->ballRise, &limits );
 	}
 	heelOn = leg->contactInput.heel >= 0.0f ? leg->contactInput.heel >= 0.5f : heelOn;
 	toeOn = leg->contactInput.toe >= 0.0f ? leg->contactInput.toe >= 0.5f : toeOn;
 	// What the host says counts at once; what only looks like contact has to last.
-	bool told = ( heelOn && leg->contactInput.heel >= 0.0f ) || ( toeOn && leg->contactInput.toe >= 0.0f );
-	bool skip = told || work->first;
-	state->contactTime = heelOn || toeOn ? ( skip ? SETTLED : state->contactTime + work->timeStep ) : 0.0f;
+	bool told = leg->contactInput.heel >= 0.0f || leg->contactInput.toe >= 0.0f;
+	float heelSince =
+	    soleSince( work, heelOn, state->heelSpeed, leg->heelSpeed, state->heelRise, leg->heelRise, &limits );
+	float toeSince =
+	    soleSince( work, toeOn, state->ballSpeed, leg->ballSpeed, state->ballRise, leg->ballRise, &limits );
+	bool was = heelWas || toeWas;
+	bool on = heelOn || toeOn;
+	// The foot comes down with its first part, and leaves with its last.
+	float since = on ? soleMaxF( heelOn ? heelSince : 0.0f, toeOn ? toeSince : 0.0f )
+	                 : soleMinF( heelWas ? heelSince : SETTLED, toeWas ? toeSince : SETTLED );
+	leg->since = told || work->first || on == was ? 0.0f : since;
+	if ( on )
+	{
+		state->contactTime = told || work->first ? SETTLED : ( was ? state->contactTime + work->timeStep : leg->since );
+	}
+	else
+	{
+		state->contactTime = 0.0f;
+	}
 	state->flags &= ~(uint32_t)( sole_stateHeelOn | sole_stateToeOn );
 	state->flags |= heelOn ? (uint32_t)sole_stateHeelOn : 0u;
 	state->flags |= toeOn ? (uint32_t)sole_stateToeOn : 0u;
@@ -99,11 +150,19 @@ static void soleCapture( solePlaceWork* work, soleLegWork* leg )
 		soleSetAnchor( work, leg, true );
 		state->flags |= (uint32_t)sole_stateByHeel;
 	}
+	// It was due a little before the end of the frame: held from there on.
+	bool due = state->contactTime < SETTLED;
+	leg->since = due ? soleMinF( state->contactTime - work->settings->contact.settle, work->timeStep ) : 0.0f;
 	soleVec3 velocity = byHeel ? leg->heelVelocity : leg->ballVelocity;
+	velocity = soleAdd( velocity, state->slide.velocity );
+	velocity = work->first ? soleVec( 0.0f, 0.0f, 0.0f ) : velocity;
+	leg->anchorGoal = soleMulAdd( leg->anchorGoal, -leg->since, velocity );
 	state->lockPoint_w = soleAdd( leg->anchorGoal, work->root_w );
 	state->lockForward_w = soleRotate( leg->turn, leg->forward );
 	state->slide.value = soleVec( 0.0f, 0.0f, 0.0f );
-	state->slide.velocity = work->first ? state->slide.value : soleAdd( velocity, state->slide.velocity );
+	state->slide.velocity = velocity;
+	state->slide = soleDecayOffset3( state->slide, work->settings->contact.captureHalfLife, leg->since );
+	leg->anchorGoal = soleAdd( leg->anchorGoal, state->slide.value );
 	state->turn = ( soleOffset1 ){ 0.0f, 0.0f };
 	state->flags |= (uint32_t)sole_stateLocked;
 	state->time = 0.0f;
@@ -120,8 +179,13 @@ static void soleRelease( solePlaceWork* work, soleLegWork* leg )
 		leg->anchorGoal = solePlaceOf( work, leg, soleOnFloor( work, leg->ball, leg->ballRise ) );
 		soleSetAnchor( work, leg, false );
 	}
-	state->slide.value = soleSub( leg->anchorGoal, soleAnimatedPlace( work, leg ) );
-	state->slide.velocity = soleSub( state->slide.velocity, byHeel ? leg->heelVelocity : leg->ballVelocity );
+	// It was due a little before the end of the frame: on its way back since then.
+	soleVec3 velocity = byHeel ? leg->heelVelocity : leg->ballVelocity;
+	soleVec3 place = soleAnimatedPlace( work, leg );
+	state->slide.value = soleSub( leg->anchorGoal, soleMulAdd( place, -leg->since, velocity ) );
+	state->slide.velocity = soleSub( state->slide.velocity, velocity );
+	state->slide = soleDecayOffset3( state->slide, work->settings->contact.releaseHalfLife, leg->since );
+	leg->anchorGoal = soleAdd( place, state->slide.value );
 	soleHalf half = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );
 	state->turn = ( soleOffset1 ){ soleQuarterTan( half ), 0.0f };
 	state->flags &= ~(uint32_t)( sole_stateLocked | sole_stateByHeel );
@@ -189,12 +253,13 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	leg->planted = ( state->flags & sole_stateLocked ) != 0;
 }
 
-static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg )
+static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg, bool wasPlanted )
 {
 	soleLegState* state = leg->state;
+	float time = leg->planted == wasPlanted ? work->timeStep : leg->since;
 	float goal = leg->planted ? 1.0f : 0.0f;
 	float fade = leg->planted ? work->settings->contact.fadeIn : work->settings->contact.fadeOut;
-	float step = fade > 0.0f ? work->timeStep / fade : 1.0f;
+	float step = fade > 0.0f ? time / fade : 1.0f;
 	if ( work->first )
 	{
 		state->plantWeight = goal;
@@ -207,7 +272,7 @@ static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg )
 	{
 		state->plantWeight = soleMaxF( state->plantWeight - step, goal );
 	}
-	state->time += work->timeStep;
+	state->time += time;
 }
 
 void soleUpdateContact( solePlaceWork* work )
@@ -220,8 +285,9 @@ void soleUpdateContact( solePlaceWork* work )
 			continue;
 		}
 		soleSenseContact( work, leg );
+		bool wasPlanted = work->first == false && ( leg->state->flags & sole_stateLocked ) != 0;
 		soleUpdateLock( work, leg );
-		soleFadePlantWeight( work, leg );
+		soleFadePlantWeight( work, leg, wasPlanted );
 		leg->out->flags |= leg->planted ? (uint32_t)sole_legPlanted : 0u;
 		leg->out->plantWeight = leg->state->plantWeight;
 		soleLegState* state = leg->state;
@@ -229,5 +295,7 @@ void soleUpdateContact( solePlaceWork* work )
 		state->animBall_w = soleAdd( leg->ball, work->root_w );
 		state->heelRise = leg->heelRise;
 		state->ballRise = leg->ballRise;
+		state->heelSpeed = leg->heelSpeed;
+		state->ballSpeed = leg->ballSpeed;
 	}
 }

@@ -24,9 +24,9 @@
 #define SLACK 0.055f       // D, in leg lengths
 #define LEAST_WEIGHT 0.01f // a leg that is planted less than this does not bind
 #define HEEL_FREE 0.06f    // L: a heel that is animated this high is free to be lifted further
-#define LEAST_SAY 0.2f     // of a leg that is leaving
-#define LEAVING_TIME 0.1f  // s: so long after it has left it need not reach
-#define SAY_TIME 0.15f     // s in which a leg gains or loses its say
+#define LEAST_SAY 0.5f     // of a leg that is leaving
+#define LEAVING_TIME 0.3f  // s: so long after it has left it need not reach
+#define SAY_TIME 0.3f      // s in which a leg gains or loses its say
 #define JUMP_SPEED 3.0f    // L/s: a root that moves faster than this beyond its speed has jumped
 
 typedef struct soleWishes

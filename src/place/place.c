@@ -76,7 +76,8 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
 		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
 		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->say ) && soleIsFinite( leg->contactTime ) &&
-		    soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise );
+		    soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
+		    soleIsFinite( leg->ballSpeed );
 	}
 	return finite;
 }

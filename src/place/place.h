@@ -69,6 +69,7 @@ typedef struct soleLegWork
 
 	// contact
 	bool planted;
+	float since;          // the change of contact happened so long before the end of this frame, s
 	soleVec3 anchor;      // animated point that is held or led: ball or heel, dropped on the clip's floor
 	soleVec3 anchorGoal;  // where it goes, horizontal place
 	soleQuat turn;        // heading offset about up
