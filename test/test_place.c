@@ -462,6 +462,77 @@ static bool quietHandler( const char* condition, const char* file, int line )
 	return false;
 }
 
+static void aTeleportForgetsEverything( void** state )
+{
+	(void)state;
+	testBiped biped;
+	testMakeBiped( &biped );
+	soleSettings settings = soleDefaultSettings();
+	Ground ground = flatGround;
+	ground.slopeZ = 0.25f;
+	ground.stepX = 0.1f;
+	for ( int way = 0; way < 3; ++way )
+	{
+		soleState memory = soleDefaultState( biped.rig );
+		soleState fresh = soleDefaultState( biped.rig );
+		soleFrame frame = makeFrame( biped.bindPose );
+		soleOutput out, first;
+		memset( &out, 0, sizeof out );
+		memset( &first, 0, sizeof first );
+		for ( int i = 0; i < 60; ++i )
+		{
+			frame.root.translation.z = 0.003f * (float)i;
+			step( &biped, &settings, &memory, &frame, &ground, &out );
+		}
+		frame.root.translation = soleVec( 0.3f, 0.1f, way == 2 ? 12.0f : 0.4f );
+		frame.teleport = way == 0;
+		way == 1 ? soleState_Reset( &memory ) : (void)0;
+		step( &biped, &settings, &memory, &frame, &ground, &out );
+		step( &biped, &settings, &fresh, &frame, &ground, &first );
+		for ( int leg = 0; leg < 2; ++leg )
+		{
+			assert_memory_equal( out.legs[leg].rotations_l, first.legs[leg].rotations_l, sizeof( soleQuat ) * 3 );
+		}
+		assert_memory_equal( &out.pelvisOffset_w, &first.pelvisOffset_w, sizeof( soleVec3 ) );
+		assert_memory_equal( memory.legs, fresh.legs, sizeof( soleLegState ) * 2 );
+	}
+	soleDestroyRig( biped.rig );
+}
+
+static void aFootIsHeldWhereItWasWhileTheHostSaysSo( void** state )
+{
+	(void)state;
+	testBiped biped;
+	testMakeBiped( &biped );
+	soleTransform pose[biped_count], placed[biped_count];
+	memcpy( pose, biped.bindPose, sizeof pose );
+	testBendKnees( pose, 0.6f );
+	soleSettings settings = soleDefaultSettings();
+	soleState memory = soleDefaultState( biped.rig );
+	soleFrame frame = makeFrame( pose );
+	// The root moves on at 0.5 m/s; the left foot is said to be down, the right one to be free.
+	const soleContactInput contact[2] = { { 1.0f, 1.0f }, { 0.0f, 0.0f } };
+	frame.contact = contact;
+	soleOutput out;
+	soleVec3 held = { 0.0f, 0.0f, 0.0f };
+	soleVec3 local = soleRig_ToFootSpace( biped.rig, 0, soleRig_GetLeg( biped.rig, 0 ).sole.ball, false );
+	for ( int i = 0; i < 20; ++i )
+	{
+		frame.root.translation.z = 0.5f * (float)i / 60.0f;
+		step( &biped, &settings, &memory, &frame, &flatGround, &out );
+		memcpy( placed, pose, sizeof placed );
+		soleApply( biped.rig, &out, placed );
+		soleVec3 ball = soleTransformPoint( testJoint( &biped, placed, frame.root, biped_ankleL ), local );
+		held = i == 0 ? ball : held;
+		assert_true( soleDistance( ball, held ) < 1e-4f );
+		assert_true( ( out.legs[0].flags & sole_legPlanted ) != 0 && ( out.legs[1].flags & sole_legPlanted ) == 0 );
+		soleVec3 other = testJoint( &biped, placed, frame.root, biped_ankleR ).translation;
+		soleVec3 animated = testJoint( &biped, pose, frame.root, biped_ankleR ).translation;
+		assert_true( soleDistance( other, animated ) < 2e-3f );
+	}
+	soleDestroyRig( biped.rig );
+}
+
 /// Largest turn of any leg joint between two placed poses, as 1 - |cos| of its half.
 static float largestTurn( const soleTransform* a, const soleTransform* b )
 {
@@ -542,6 +613,8 @@ int main( void )
 		cmocka_unit_test( copiedStatesGiveTheSameBits ),
 		cmocka_unit_test( noTimeChangesNothing ),
 		cmocka_unit_test( movingTheWorldsOriginMovesNothing ),
+		cmocka_unit_test( aTeleportForgetsEverything ),
+		cmocka_unit_test( aFootIsHeldWhereItWasWhileTheHostSaysSo ),
 		cmocka_unit_test( settledPoseIsContinuousInTheGround ),
 		cmocka_unit_test( misuseIsRefusedSafely ),
 	};

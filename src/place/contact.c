@@ -54,8 +54,8 @@ static float soleSince(
 static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool heelWas = work->first == false && ( state->flags & sole_stateHeelOn ) != 0;
-	bool toeWas = work->first == false && ( state->flags & sole_stateToeOn ) != 0;
+	bool heelWas = ( state->flags & sole_stateHeelOn ) != 0;
+	bool toeWas = ( state->flags & sole_stateToeOn ) != 0;
 	bool heelOn = heelWas;
 	bool toeOn = toeWas;
 	const soleSettings* s = work->settings;
@@ -81,14 +81,11 @@ static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 	float since = on ? soleMaxF( heelOn ? heelSince : 0.0f, toeOn ? toeSince : 0.0f )
 	                 : soleMinF( heelWas ? heelSince : SETTLED, toeWas ? toeSince : SETTLED );
 	leg->since = told || work->first || on == was ? 0.0f : since;
-	if ( on )
-	{
-		state->contactTime = told || work->first ? SETTLED : ( was ? state->contactTime + work->timeStep : leg->since );
-	}
-	else
-	{
-		state->contactTime = 0.0f;
-	}
+	leg->touches = on;
+	leg->touched = was;
+	// On the first frame speeds are not known: what stands still then is held a little later.
+	float lasted = was ? state->contactTime + work->timeStep : leg->since;
+	state->contactTime = on ? ( told ? SETTLED : lasted ) : 0.0f;
 	state->flags &= ~(uint32_t)( sole_stateHeelOn | sole_stateToeOn );
 	state->flags |= heelOn ? (uint32_t)sole_stateHeelOn : 0u;
 	state->flags |= toeOn ? (uint32_t)sole_stateToeOn : 0u;
@@ -165,7 +162,6 @@ static void soleCapture( solePlaceWork* work, soleLegWork* leg )
 	leg->anchorGoal = soleAdd( leg->anchorGoal, state->slide.value );
 	state->turn = ( soleOffset1 ){ 0.0f, 0.0f };
 	state->flags |= (uint32_t)sole_stateLocked;
-	state->time = 0.0f;
 	leg->out->flags |= (uint32_t)sole_legCaptured;
 }
 
@@ -189,7 +185,6 @@ static void soleRelease( solePlaceWork* work, soleLegWork* leg )
 	soleHalf half = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );
 	state->turn = ( soleOffset1 ){ soleQuarterTan( half ), 0.0f };
 	state->flags &= ~(uint32_t)( sole_stateLocked | sole_stateByHeel );
-	state->time = 0.0f;
 	leg->out->flags |= (uint32_t)sole_legReleased;
 }
 
@@ -228,7 +223,7 @@ static bool soleIsLockStrained( const solePlaceWork* work, const soleLegWork* le
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool contact = ( state->flags & ( sole_stateHeelOn | sole_stateToeOn ) ) != 0;
+	bool contact = leg->touches;
 	bool possible = contact && leg->hasGround && leg->weight > 0.0f;
 	bool settled = state->contactTime > work->settings->contact.settle;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
@@ -253,13 +248,16 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	leg->planted = ( state->flags & sole_stateLocked ) != 0;
 }
 
-static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg, bool wasPlanted )
+static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	float time = leg->planted == wasPlanted ? work->timeStep : leg->since;
-	float goal = leg->planted ? 1.0f : 0.0f;
-	float fade = leg->planted ? work->settings->contact.fadeIn : work->settings->contact.fadeOut;
+	bool down = leg->touches && leg->hasGround;
+	bool changed = leg->touches != leg->touched;
+	float time = changed ? leg->since : work->timeStep;
+	float goal = down ? 1.0f : 0.0f;
+	float fade = down ? work->settings->contact.fadeIn : work->settings->contact.fadeOut;
 	float step = fade > 0.0f ? time / fade : 1.0f;
+	state->time = work->first || changed ? leg->since : state->time + work->timeStep;
 	if ( work->first )
 	{
 		state->plantWeight = goal;
@@ -272,7 +270,6 @@ static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg, bo
 	{
 		state->plantWeight = soleMaxF( state->plantWeight - step, goal );
 	}
-	state->time += time;
 }
 
 void soleUpdateContact( solePlaceWork* work )
@@ -285,9 +282,8 @@ void soleUpdateContact( solePlaceWork* work )
 			continue;
 		}
 		soleSenseContact( work, leg );
-		bool wasPlanted = work->first == false && ( leg->state->flags & sole_stateLocked ) != 0;
+		soleFadePlantWeight( work, leg );
 		soleUpdateLock( work, leg );
-		soleFadePlantWeight( work, leg, wasPlanted );
 		leg->out->flags |= leg->planted ? (uint32_t)sole_legPlanted : 0u;
 		leg->out->plantWeight = leg->state->plantWeight;
 		soleLegState* state = leg->state;

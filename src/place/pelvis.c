@@ -59,11 +59,11 @@ static void soleUpdateSay( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	float left = state->time < LEAVING_TIME ? LEAST_SAY : 1.0f;
-	float goal = leg->planted ? 1.0f - ( 1.0f - LEAST_SAY ) * soleHeelBegun( leg ) : left;
+	float goal = leg->touches ? 1.0f - ( 1.0f - LEAST_SAY ) * soleHeelBegun( leg ) : left;
 	float step = work->timeStep / SAY_TIME;
 	if ( work->first )
 	{
-		state->say = leg->planted ? goal : 1.0f;
+		state->say = leg->touches ? goal : 1.0f;
 		return;
 	}
 	state->say = state->say < goal ? soleMinF( state->say + step, goal ) : soleMaxF( state->say - step, goal );
@@ -192,8 +192,6 @@ void soleMovePelvis( solePlaceWork* work )
 	if ( work->first )
 	{
 		state->pelvis = ( soleOffset1 ){ soleBind( wishes, goal ), 0.0f };
-		state->rootSpeed = 0.0f;
-		state->rootSuspect = 0.0f;
 	}
 	else if ( work->timeStep > 0.0f )
 	{

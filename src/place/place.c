@@ -92,6 +92,15 @@ static float soleLongestLeg( const soleRig* rig )
 	return longest;
 }
 
+/// A new start: nothing of an earlier place is left.
+static void soleForget( soleState* state, int32_t legCount )
+{
+	state->rootSpeed = 0.0f;
+	state->rootSuspect = 0.0f;
+	state->pelvis = ( soleOffset1 ){ 0.0f, 0.0f };
+	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
+}
+
 static void soleSetUpFrame( solePlaceWork* work )
 {
 	const soleFrame* frame = work->frame;
@@ -114,6 +123,10 @@ static void soleSetUpFrame( solePlaceWork* work )
 		work->first = moved > TELEPORT * scaled && moved > 20.0f * scaled * work->timeStep;
 		soleVec3 travel = soleHorizontal( work, soleSub( work->root_w, work->state->root_w ) );
 		work->rootSpeed = work->timeStep > 0.0f ? soleLength( travel ) / work->timeStep : 0.0f;
+	}
+	if ( work->first )
+	{
+		soleForget( work->state, work->legCount );
 	}
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{

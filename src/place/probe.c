@@ -10,7 +10,7 @@
 void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
-	if ( work->first == false && ( state->flags & sole_stateLocked ) != 0 )
+	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		leg->soleCenter = soleSub( state->lockPoint_w, work->root_w );
 		leg->soleForward =
@@ -22,9 +22,8 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 		}
 		return;
 	}
-	soleHalf half = soleHalfFromQuarterTan( work->first ? 0.0f : state->turn.value );
-	soleVec3 slide = work->first ? soleVec( 0.0f, 0.0f, 0.0f ) : state->slide.value;
-	leg->soleCenter = soleAdd( leg->ball, slide );
+	soleHalf half = soleHalfFromQuarterTan( state->turn.value );
+	leg->soleCenter = soleAdd( leg->ball, state->slide.value );
 	leg->soleForward = soleRotate( soleHalfRotation( work->up, half ), leg->forward );
 }
 
