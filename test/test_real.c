@@ -227,10 +227,18 @@ static void motionCaptureStaysAsItIsOnItsOwnFloor( void** state )
 	}
 }
 
-/// Largest distance between the same points of two takes at common times.
-static double compareTakes( const testTake* a, const testTake* b, int32_t stepA, int32_t stepB )
+static int compareDoubles( const void* a, const void* b )
 {
-	double worst = 0.0;
+	double x = *(const double*)a, y = *(const double*)b;
+	return x < y ? -1 : ( x > y ? 1 : 0 );
+}
+
+/// Distances between the same points of two takes at common times: 95th percentile and largest.
+static void compareTakes(
+    const testTake* a, const testTake* b, int32_t stepA, int32_t stepB, double* p95, double* most )
+{
+	static double distances[20000];
+	int32_t count = 0;
 	for ( int32_t i = 0; i * stepA < a->result.walk.frameCount && i * stepB < b->result.walk.frameCount; ++i )
 	{
 		for ( int32_t leg = 0; leg < soleRig_GetLegCount( a->character.rig ); ++leg )
@@ -239,23 +247,23 @@ static double compareTakes( const testTake* a, const testTake* b, int32_t stepA,
 			int32_t foot = soleRig_GetFootJoint( a->character.rig, leg, false );
 			const soleVec3 points[] = { { 0.0f, 0.0f, 0.0f },
 				soleRig_ToFootSpace( a->character.rig, leg, def.sole.ball, false ) };
-			for ( int32_t p = 0; p < 2; ++p )
+			for ( int32_t p = 0; p < 2 && count < 20000; ++p )
 			{
 				soleVec3 x = testTakePoint( a, i * stepA, foot, points[p] );
 				soleVec3 y = testTakePoint( b, i * stepB, foot, points[p] );
-				double d = (double)soleDistance( x, y );
-				worst = d > worst ? d : worst;
+				distances[count++] = (double)soleDistance( x, y );
 			}
 		}
 	}
-	return worst;
+	assert_true( count > 100 );
+	qsort( distances, (size_t)count, sizeof distances[0], compareDoubles );
+	*p95 = distances[count * 95 / 100];
+	*most = distances[count - 1];
 }
 
-static void framesPerSecondMakeNoDifferenceOnARamp( void** state )
+static void frameRatesAgree( const char* character, const char* clip, const char* ground, double bound )
 {
-	(void)state;
-	TEST_NEEDS_DATA( PAB );
-	testBake bake = { .character = PAB, .clip = "walk", .ground = "T11-20" };
+	testBake bake = { .character = character, .clip = clip, .ground = ground };
 	testTake takes[3];
 	static const double rates[] = { 60.0, 30.0, 144.0 };
 	for ( int32_t i = 0; i < 3; ++i )
@@ -264,14 +272,28 @@ static void framesPerSecondMakeNoDifferenceOnARamp( void** state )
 		testOpenTake( &bake, takes + i );
 		testBakeTake( &bake, takes + i );
 	}
-	double slow = compareTakes( takes, takes + 1, 2, 1 );
-	double fast = compareTakes( takes, takes + 2, 5, 12 );
-	print_message( "against 60 Hz: 30 Hz %.1f mm, 144 Hz %.1f mm\n", 1e3 * slow, 1e3 * fast );
-	assert_true( slow <= 0.003 && fast <= 0.003 );
+	double slow, fast, slowest, fastest;
+	compareTakes( takes, takes + 1, 2, 1, &slow, &slowest );
+	compareTakes( takes, takes + 2, 5, 12, &fast, &fastest );
+	print_message( "%s on %s, against 60 Hz: 30 Hz p95 %.1f max %.1f mm, 144 Hz p95 %.1f max %.1f mm\n", clip, ground,
+	    1e3 * slow, 1e3 * slowest, 1e3 * fast, 1e3 * fastest );
+	assert_true( slow <= bound && fast <= bound );
+	assert_true( slowest <= 0.012 && fastest <= 0.012 ); // the moment of lift-off
 	for ( int32_t i = 0; i < 3; ++i )
 	{
 		testCloseTake( takes + i );
 	}
+}
+
+static void framesPerSecondMakeLittleDifference( void** state )
+{
+	(void)state;
+	TEST_NEEDS_DATA( PAB );
+	TEST_NEEDS_DATA( QUATERNIUS );
+	frameRatesAgree( PAB, "walk", "T01", 0.003 );
+	frameRatesAgree( PAB, "walk", "T11-20", 0.005 );
+	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T01", 0.003 );
+	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T11-20", 0.005 );
 }
 
 int main( void )
@@ -285,7 +307,7 @@ int main( void )
 		cmocka_unit_test( pabStandsOnASlopeAndAcrossAStep ),
 		cmocka_unit_test( otherCharactersPlaceTheirFeetOnTheOzzFloor ),
 		cmocka_unit_test( motionCaptureStaysAsItIsOnItsOwnFloor ),
-		cmocka_unit_test( framesPerSecondMakeNoDifferenceOnARamp ),
+		cmocka_unit_test( framesPerSecondMakeLittleDifference ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );
 }

@@ -81,6 +81,7 @@ static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 	float since = on ? soleMaxF( heelOn ? heelSince : 0.0f, toeOn ? toeSince : 0.0f )
 	                 : soleMinF( heelWas ? heelSince : SETTLED, toeWas ? toeSince : SETTLED );
 	leg->since = told || work->first || on == was ? 0.0f : since;
+	leg->letGoSpeed = told ? 0.0f : limits.speedOff;
 	leg->touches = on;
 	leg->touched = was;
 	// On the first frame speeds are not known: what stands still then is held a little later.
@@ -175,11 +176,16 @@ static void soleRelease( solePlaceWork* work, soleLegWork* leg )
 		leg->anchorGoal = solePlaceOf( work, leg, soleOnFloor( work, leg->ball, leg->ballRise ) );
 		soleSetAnchor( work, leg, false );
 	}
-	// It was due a little before the end of the frame: on its way back since then.
+	// It was due a little before the end of the frame, at the speed of the limit that was crossed: on its way since
+	// then.
 	soleVec3 velocity = byHeel ? leg->heelVelocity : leg->ballVelocity;
+	float speed = byHeel ? leg->heelSpeed : leg->ballSpeed;
+	soleVec3 then =
+	    speed > leg->letGoSpeed && leg->letGoSpeed > 0.0f ? soleScale( leg->letGoSpeed / speed, velocity ) : velocity;
 	soleVec3 place = soleAnimatedPlace( work, leg );
-	state->slide.value = soleSub( leg->anchorGoal, soleMulAdd( place, -leg->since, velocity ) );
-	state->slide.velocity = soleSub( state->slide.velocity, velocity );
+	soleVec3 moved = soleScale( 0.5f * leg->since, soleAdd( velocity, then ) );
+	state->slide.value = soleSub( leg->anchorGoal, soleSub( place, moved ) );
+	state->slide.velocity = soleSub( state->slide.velocity, then );
 	state->slide = soleDecayOffset3( state->slide, work->settings->contact.releaseHalfLife, leg->since );
 	leg->anchorGoal = soleAdd( place, state->slide.value );
 	soleHalf half = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );

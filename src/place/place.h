@@ -71,6 +71,7 @@ typedef struct soleLegWork
 	bool touches;         // is in contact, held or not
 	bool touched;         // was so a frame ago
 	bool planted;         // is held
+	float letGoSpeed;     // at which a foot is let go; 0: the host said so
 	float since;          // the change of contact happened so long before the end of this frame, s
 	soleVec3 anchor;      // animated point that is held or led: ball or heel, dropped on the clip's floor
 	soleVec3 anchorGoal;  // where it goes, horizontal place
