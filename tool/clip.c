@@ -370,7 +370,7 @@ static void toolApplyChannel( const toolChannel* channel, float fileTime, float 
 	}
 }
 
-void toolRestPose( const toolCharacter* character, soleTransform* pose )
+void toolGetRestPose( const toolCharacter* character, soleTransform* pose )
 {
 	for ( int32_t i = 0; i < character->jointCount; ++i )
 	{
@@ -380,7 +380,7 @@ void toolRestPose( const toolCharacter* character, soleTransform* pose )
 
 void toolSampleClip( const toolCharacter* character, const toolBoundClip* bound, float time, soleTransform* pose )
 {
-	toolRestPose( character, pose );
+	toolGetRestPose( character, pose );
 	float fileTime = bound->clip->start + ( time > 0.0f ? time : 0.0f );
 	for ( int32_t i = 0; i < bound->clip->channelCount; ++i )
 	{

@@ -52,7 +52,7 @@ bool toolBindClip(
 void toolFreeBoundClip( toolBoundClip* bound );
 
 /// The pose in which no clip moves anything: the file's rest pose at the character's scale.
-void toolRestPose( const toolCharacter* character, soleTransform* pose );
+void toolGetRestPose( const toolCharacter* character, soleTransform* pose );
 
 /// The pose at a time after the clip's start: parent-local transforms, jointCount. Before and after the keys their ends
 /// hold. Nodes that the clip does not move have their rest pose.
