@@ -320,7 +320,7 @@ static void toolBindSkins( toolCharacter* character, const int32_t* order )
 void toolFindBindPose( toolCharacter* character )
 {
 	character->bindPose = toolAlloc( (size_t)character->jointCount, sizeof( soleTransform ) );
-	toolRestPose( character, character->bindPose );
+	toolGetRestPose( character, character->bindPose );
 	int32_t* order = toolOrderNodes( character );
 	toolBindSkins( character, order );
 	free( order );
