@@ -2,6 +2,7 @@
 // Opens characters and grounds by file or by the name of an embedded sample. World of the ground, metres, Y up.
 #include "source.h"
 
+#include "mannequin.h"
 #include "scenario.h"
 
 #include <math.h>
@@ -18,8 +19,15 @@ static bool toolIsThere( const char* path )
 bool toolOpenEmbeddedCharacter( const char* name, toolGltf** gltf )
 {
 	*gltf = NULL;
-	(void)name;
-	return false;
+	if ( strcmp( name, "mannequin" ) != 0 )
+	{
+		return false;
+	}
+	toolModel model;
+	toolMakeMannequin( &model );
+	*gltf = toolMakeGltf( &model );
+	toolFreeModel( &model );
+	return *gltf != NULL;
 }
 
 bool toolOpenCharacter( const char* name, toolGltf** gltf, toolError* error )
