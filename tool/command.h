@@ -28,5 +28,6 @@ int toolRunInspect( int argc, char** argv );
 int toolRunBake( int argc, char** argv );
 int toolRunMeasure( int argc, char** argv );
 int toolRunLabel( int argc, char** argv );
+int toolRunSettings( int argc, char** argv );
 
 #endif

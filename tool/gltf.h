@@ -15,10 +15,13 @@ bool toolReadGlbBytes( const uint8_t* bytes, size_t byteCount, const char* path,
 void toolFreeGltf( toolGltf* gltf );
 const toolModel* toolGltf_GetModel( const toolGltf* gltf );
 
-/// A file made from nothing: every node, skin, mesh, material and clip of the model.
+/// A file made from nothing: every node, skin, mesh, material and clip of the model. Skinned nodes without children
+/// become roots without a place of their own; meshes without triangles and clips without channels are left out.
+/// @return NULL where the model is broken: something not finite, an index past its end.
 toolGltf* toolMakeGltf( const toolModel* model );
 
-/// Appends a clip. Its channels are LINEAR or STEP; channels with equal times share one accessor. The model is renewed.
+/// Appends a clip. Its channels are LINEAR or STEP; channels with equal times share one accessor. The model is renewed;
+/// what was taken from it before stays good until the file is freed.
 bool toolGltf_AppendClip( toolGltf* gltf, const toolClip* clip, toolError* error );
 /// Appends meshes as nodes of the first scene: the model's nodes, meshes and materials; no skins, no clips.
 bool toolGltf_AppendScene( toolGltf* gltf, const toolModel* scene, toolError* error );

@@ -2,13 +2,14 @@
 // Optional ground for those without physics: triangle meshes, height fields and planes, asked with rays and swept
 // spheres. Knows nothing of feet: a probe and a hit are all it shares with the rest. Immutable once made, any number of
 // threads may cast at once. Results do not depend on the order of triangles but for ties, which go to the lower index.
+// No ray slips between triangles that share their corners, whatever its direction.
 #ifndef SOLE_GROUND_H
 #define SOLE_GROUND_H
 
 #include "sole/types.h"
 
-/// Triangles. Both sides are solid for probes that come from outside; a face is met only from its front (counter
-/// clockwise, seen against the probe).
+/// Triangles. A face is met only from its front, where its corners run counter clockwise: a ray from behind passes, and
+/// so does a sphere whose middle starts behind it. So a probe that starts inside a closed mesh goes out unnoticed.
 typedef struct soleGroundMesh
 {
 	const float* vertices; // x, y, z of each vertex, world
@@ -20,12 +21,14 @@ typedef struct soleGroundMesh
 	const uint32_t* triangleLayers;
 	uint32_t layer;  // default 1
 	int32_t surface; // what hits report. default SOLE_NONE
-	/// Also meet back faces: for meshes with careless winding. The reported normal is turned against the probe.
+	/// Also meet back faces: for meshes with careless winding. The reported normal is turned against the probe; where a
+	/// sphere touches at its start, towards the middle of the sphere.
 	bool twoSided;
 } soleGroundMesh;
 
 /// Heights over a regular grid. The grid spans origin + i cellX axisX + j cellZ axisZ + height up, i < countX,
-/// j < countZ, axes orthonormal. Each cell is two triangles, split along the diagonal from (i, j) to (i + 1, j + 1).
+/// j < countZ, axes orthonormal, mirrored or not. Each cell is two triangles, split along the diagonal from (i, j) to
+/// (i + 1, j + 1), met from above only.
 typedef struct soleHeightField
 {
 	soleVec3 origin;
@@ -41,7 +44,7 @@ typedef struct soleHeightField
 	int32_t surface;
 } soleHeightField;
 
-/// All points with dot( point, normal ) <= offset are solid.
+/// All points with dot( point, normal ) <= offset are solid: a probe that starts there has started inside.
 typedef struct soleGroundPlane
 {
 	soleVec3 normal; // unit
@@ -75,7 +78,10 @@ SOLE_API soleResult soleCreateGround(
 /// NULL is allowed.
 SOLE_API void soleDestroyGround( soleGround* ground );
 
-/// Nearest hit of one probe. A probe that is not finite or has no length misses.
+/// Nearest hit of one probe. A probe that is not finite or has no length misses, as does every probe of a NULL ground.
+/// The normal is always that of a face, never one between two: where a sphere meets an edge or a corner, of the face
+/// that its way meets most squarely. A sphere that touches at its start has started inside; of all it touches, the
+/// nearest is reported.
 SOLE_API soleHit soleCastProbe( const soleGround* ground, const soleProbe* probe );
 
 /// The same for many: hits[i] answers probes[i].

@@ -216,7 +216,9 @@ static inline soleQuat soleNlerp( soleQuat a, soleQuat b, float fraction )
 /// orthogonal to from, or about a fixed orthogonal axis where that is impossible.
 static inline soleQuat soleFromTo( soleVec3 from, soleVec3 to, soleVec3 halfTurnAxis )
 {
-	float w = 1.0f + soleDot( from, to );
+	// 1 + cos of the angle, without the cancellation of that sum near half a turn.
+	soleVec3 sum = soleAdd( from, to );
+	float w = 0.5f * soleDot( sum, sum );
 	if ( w < 1e-6f )
 	{
 		soleVec3 n = soleNormalizeOr( soleReject( halfTurnAxis, from ), soleAnyOrthogonal( from ) );

@@ -156,10 +156,11 @@ typedef struct soleSettings
 
 	struct
 	{
-		float speedOn;         // slower than this may plant. L/s [0, 20] default 0.33
-		float speedOff;        // faster than this releases. L/s [0, 40] default 1.1
+		float speedOn;         // slower than this may plant. L/s [0, 20] default 0.25
+		float speedOff;        // faster than this releases. L/s [0, 40] default 0.6
 		float heightOn;        // a sole point lower than this over the clip's floor may plant. L [0, 1] default 0.025
 		float heightOff;       // higher than this releases. L [0, 1] default 0.05
+		float settle;          // a foot that looks planted for this long is. s [0, 1] default 0.033
 		float lockDistance;    // a lock is given up further than this from the animation. L [0, 2] default 0.25
 		float lockAngle;       // or turned further than this. rad [0, 3] default 0.79 (45 degrees)
 		float captureHalfLife; // decay of what is left of the motion when a foot is locked. s [0, 1] default 0.05
@@ -177,9 +178,12 @@ typedef struct soleSettings
 	{
 		float down;     // furthest down. L [0, 1] default 0.45
 		float up;       // furthest up. L [0, 1] default 0.1
-		float halfLife; // s [0, 2] default 0.1
+		float halfLife; // s [0, 2] default 0.08
+		float speed;    // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
 		float rootJump; // a root that moves more than this beyond its own speed in a frame has jumped. L [0, 1]
 		                // default 0.02
+		float
+		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
 	} pelvis;
 
 	struct
@@ -315,6 +319,7 @@ typedef struct soleLegState
 {
 	uint32_t flags;      // soleLegStateFlags, internal
 	float plantWeight;   // 0 free .. 1 has its full say in the pelvis
+	float say;           // how much of a say it has in where the pelvis should be
 	soleVec3 animHeel_w; // last animated sole points, for velocities
 	soleVec3 animBall_w;
 	soleVec3 lockPoint_w;   // where the locked sole point is held
@@ -325,8 +330,13 @@ typedef struct soleLegState
 	soleOffset1 turn;     // heading offset, tan( angle / 4 )
 	soleOffset1 height;   // what is left of ground steps
 	soleOffset3 gradient; // what is left of slope changes
-	float ground;         // 0 no ground .. 1 ground under this foot
-	float time;           // since the last change of contact, s
+	float heelRise;       // their heights over the clip's floor
+	float ballRise;
+	float heelSpeed; // their speeds over the ground
+	float ballSpeed;
+	float ground;      // 0 no ground .. 1 ground under this foot
+	float time;        // since the last change of contact, s
+	float contactTime; // for how long the foot has been in contact by its motion, s
 } soleLegState;
 
 /// All memory of one character: plain data, copy to save, assign to roll back. soleState_GetByteCount() tells how
@@ -336,6 +346,7 @@ typedef struct soleState
 	uint32_t frameCount; // frames since the last reset; 0: nothing is remembered
 	soleVec3 root_w;     // last position of the root
 	float rootSpeed;     // its last speed along up
+	float rootSuspect;   // a speed that it may have taken up, or a jump
 	soleOffset1 pelvis;  // offset of the pelvis along up over the root
 	double worldOrigin[3];
 	int32_t internalValue;

@@ -58,12 +58,10 @@ static inline soleHalf soleTwistHalf( soleQuat twist, soleVec3 axis )
 	return twist.w < 0.0f ? ( soleHalf ){ -twist.w, -s } : ( soleHalf ){ twist.w, s };
 }
 
-/// tan of a quarter of the angle: the form in which rotation offsets decay. [-1, 1]
+/// tan of a quarter of the angle, signed: the form in which rotation offsets decay. [-1, 1]
 static inline float soleQuarterTan( soleHalf half )
 {
-	float c = half.c < 0.0f ? -half.c : half.c;
-	float s = half.c < 0.0f ? -half.s : half.s;
-	return s / ( 1.0f + c );
+	return half.c < 0.0f ? -half.s / ( 1.0f - half.c ) : half.s / ( 1.0f + half.c );
 }
 
 static inline soleHalf soleHalfFromQuarterTan( float r )
@@ -79,7 +77,7 @@ static inline soleHalf soleHalfFromAngle( float angle )
 	float x = 0.25f * soleClampF( angle, -3.14159265f, 3.14159265f );
 	float z = x * x;
 	float s = x * ( 1.0f - z * ( 1.0f / 6.0f - z * ( 1.0f / 120.0f - z * ( 1.0f / 5040.0f ) ) ) );
-	float c = 1.0f - z * ( 0.5f - z * ( 1.0f / 24.0f - z * ( 1.0f / 720.0f ) ) );
+	float c = 1.0f - z * ( 0.5f - z * ( 1.0f / 24.0f - z * ( 1.0f / 720.0f - z * ( 1.0f / 40320.0f ) ) ) );
 	return ( soleHalf ){ c * c - s * s, 2.0f * s * c };
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Critically damped springs in closed form: one number or vector, in the space and unit of the caller.
-//   y = 2 ln 2 / halfLife,  e = value - goal,  a = ( velocity - goalVelocity ) + y e
+//   y = 1.678347 / halfLife,  e = value - goal,  a = ( velocity - goalVelocity ) + y e
 //   e(t) = ( e + a t ) exp( -y t ),  v(t) = ( v - goalVelocity - y a t ) exp( -y t ) + goalVelocity
+// From rest e(t) = e ( 1 + y t ) exp( -y t ), which is e / 2 at y t = 1.678347: half-life means what it says.
 // The goal moves by goalVelocity t meanwhile. Two half steps make one whole step. See D. Holden, "Spring-It-On: The
 // Game Developer's Spring-Roll-Call" (theorangeduck.com) for the family; the closed form is that of any textbook.
 #include "base/spring.h"
@@ -9,7 +10,7 @@
 #include "base/math_internal.h"
 #include "sole/sole.h"
 
-#define TWO_LN2 1.38629436f
+#define HALF_PHASE 1.678347f // y t at which half of a resting error is left
 #define SETTLED 20.0f // y t beyond which nothing is left
 
 soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, float halfLife, float timeStep )
@@ -24,12 +25,12 @@ soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, 
 		return ( soleOffset1 ){ value, velocity };
 	}
 	float movedGoal = soleFiniteOr( goal + goalVelocity * t, goal );
-	if ( !( halfLife > 0.0f ) || TWO_LN2 * t >= SETTLED * halfLife )
+	if ( !( halfLife > 0.0f ) || HALF_PHASE * t >= SETTLED * halfLife )
 	{
 		return ( soleOffset1 ){ movedGoal, goalVelocity };
 	}
-	float y = TWO_LN2 / halfLife;
-	float decay = soleExpNegative( TWO_LN2 * t / halfLife );
+	float y = HALF_PHASE / halfLife;
+	float decay = soleExpNegative( HALF_PHASE * t / halfLife );
 	float error = value - goal;
 	float relative = velocity - goalVelocity;
 	float a = relative + y * error;

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+// Ankle: what the foot may do against the shin, the toes, and the output.
+//
+// Range of motion. q is the foot's turn against the shin beyond neutral, in the foot's axes. It is taken apart, without
+// trigonometry, into pitch about the side axis, roll about the forward axis, a small rest, and twist about the up axis;
+// the halves of pitch, roll and twist are clamped, and the parts put together again. Each limit is widened to what the
+// animation does itself. What the ankle cannot do becomes a new target: the foot stands on whatever part of its sole is
+// lowest then, at the height that was wanted of the lowest part.
+//
+// Toes. They go where the animated toes go on the plane (so they stay flat while the heel is raised), plus the slope of
+// the ground in front of the ball, as far as their limits and the foot's contact let them.
+#include "place/place.h"
+
+typedef struct soleAnkleTurn
+{
+	soleHalf pitch, roll, twist;
+	soleQuat rest;
+} soleAnkleTurn;
+
+static soleAnkleTurn soleTakeApart( const soleRigLeg* rig, soleQuat shin, soleQuat foot )
+{
+	soleQuat neutral = soleMulQuat( shin, rig->neutral );
+	soleQuat q = soleMulQuat( soleConjugate( neutral ), foot );
+	// In the foot's own frame at neutral, whose axes are those of the bind pose.
+	soleQuat twist = soleTwist( q, rig->footUp );
+	soleQuat q1 = soleMulQuat( q, soleConjugate( twist ) );
+	soleQuat pitch = soleTwist( q1, rig->footSide );
+	soleQuat r = soleMulQuat( soleConjugate( pitch ), q1 );
+	soleQuat roll = soleTwist( r, rig->footForward );
+	return ( soleAnkleTurn ){
+		soleTwistHalf( pitch, rig->footSide ),
+		soleTwistHalf( roll, rig->footForward ),
+		soleTwistHalf( twist, rig->footUp ),
+		soleMulQuat( soleConjugate( roll ), r ),
+	};
+}
+
+static soleQuat solePutTogether( const soleRigLeg* rig, soleQuat shin, soleAnkleTurn turn )
+{
+	soleQuat q =
+	    soleMulQuat( soleHalfRotation( rig->footSide, turn.pitch ), soleHalfRotation( rig->footForward, turn.roll ) );
+	q = soleMulQuat( q, turn.rest );
+	q = soleMulQuat( q, soleHalfRotation( rig->footUp, turn.twist ) );
+	return soleNormalizeQuat( soleMulQuat( soleMulQuat( shin, rig->neutral ), q ) );
+}
+
+/// Clamps a half angle into a range that is widened to the animated one. @return whether it was outside
+static bool soleClampHalf( soleHalf* half, soleRange range, soleHalf animated )
+{
+	soleHalf low = animated.s < range.low.s ? animated : range.low;
+	soleHalf high = animated.s > range.high.s ? animated : range.high;
+	if ( half->s < low.s - 1e-6f )
+	{
+		*half = low;
+		return true;
+	}
+	if ( half->s > high.s + 1e-6f )
+	{
+		*half = high;
+		return true;
+	}
+	return false;
+}
+
+static soleQuat soleShinRotation( const soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	int32_t shin = rig->def.hasVirtualAnkle ? rig->def.jointCount - 1 : rig->def.jointCount - 2;
+	soleQuat turn = shin >= rig->kneeIndex ? soleMulQuat( leg->hipTurn, leg->kneeTurn ) : leg->hipTurn;
+	return soleMulQuat( turn, leg->rotations[shin] );
+}
+
+/// A foot that is turned by an ankle of its own: not one that is part of the shin.
+static bool soleHasAnkle( const soleRigLeg* rig )
+{
+	return rig->def.hasVirtualAnkle == false || rig->def.detachedFoot != SOLE_NONE;
+}
+
+/// Height, over the ball and along a normal, of the lowest point of a sole that is turned like this. Toes that bend are
+/// left out.
+static float soleLowestPoint( const soleLegWork* leg, soleQuat foot, soleVec3 normal )
+{
+	const soleRigLeg* rig = leg->rig;
+	const soleVec3 points[] = { rig->heel, rig->inner, rig->outer, rig->toe };
+	int32_t count = rig->toeSlot != SOLE_NONE ? 3 : 4;
+	float lowest = 0.0f;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleVec3 arm = soleRotate( foot, soleMul( leg->foot.scale, soleSub( points[i], rig->ball ) ) );
+		lowest = soleMinF( lowest, soleDot( arm, normal ) );
+	}
+	return lowest;
+}
+
+/// Sets the targets of a foot that was turned from `wanted` to `turned`: its lowest point stays as high as it was
+/// wanted, its ball where it was along the ground.
+static void soleRetarget( soleLegWork* leg, soleQuat wanted, soleQuat turned )
+{
+	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->ballTarget ) );
+	soleVec3 normal = leg->out->planeNormal_w;
+	float raise = soleLowestPoint( leg, wanted, normal ) - soleLowestPoint( leg, turned, normal );
+	leg->ballTarget = soleMulAdd( leg->ballTarget, raise, normal );
+	leg->ankleTarget = soleAdd( leg->ballTarget, soleRotate( turned, arm ) );
+	leg->footTarget = turned;
+}
+
+void soleLimitAnkles( solePlaceWork* work )
+{
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleLegWork* leg = work->legs + i;
+		const soleRigLeg* rig = leg->rig;
+		if ( leg->usable == false || !( leg->weight > 0.0f ) || !soleHasAnkle( rig ) )
+		{
+			continue;
+		}
+		int32_t shinIndex = rig->def.hasVirtualAnkle ? rig->def.jointCount - 1 : rig->def.jointCount - 2;
+		soleAnkleTurn animated = soleTakeApart( rig, leg->rotations[shinIndex], leg->foot.rotation );
+		soleQuat shin = soleShinRotation( leg );
+		soleAnkleTurn turn = soleTakeApart( rig, shin, leg->footReached );
+		bool clamped = soleClampHalf( &turn.pitch, rig->pitch, animated.pitch );
+		clamped = soleClampHalf( &turn.roll, rig->roll, animated.roll ) || clamped;
+		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
+		if ( clamped )
+		{
+			soleRetarget( leg, leg->footReached, solePutTogether( rig, shin, turn ) );
+			leg->out->flags |= (uint32_t)sole_legAnkleClamped;
+		}
+	}
+}
+
+// ------------------------------------------------------------------------------------------------------------- toes
+
+static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	// The toe as the foot carries it, and as the ground wants it.
+	soleQuat local = soleMulQuat( soleConjugate( leg->foot.rotation ), leg->toeRotation );
+	soleQuat carried = soleMulQuat( leg->footReached, local );
+	soleVec3 side = soleRotate( leg->footReached, rig->footSide );
+	soleHalf slope = soleMakeHalf( 1.0f, leg->toeSlope );
+	soleQuat wanted = soleMulQuat( soleHalfRotation( side, slope ), soleMulQuat( leg->image, leg->toeRotation ) );
+	soleHalf bend = soleTwistHalf( soleTwist( soleMulQuat( wanted, soleConjugate( carried ) ), side ), side );
+	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
+	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
+	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
+	float share = leg->weight * leg->state->plantWeight;
+	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
+	return soleMulQuat( soleConjugate( leg->footReached ), soleNlerp( carried, bent, share ) );
+}
+
+// ----------------------------------------------------------------------------------------------------------- output
+
+static soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot )
+{
+	int32_t parent = work->rig->slotParents[slot];
+	return parent == SOLE_NONE ? soleNormalizeQuat( work->frame->root.rotation ) : work->slots[parent].rotation;
+}
+
+static void soleWriteDetachedFoot( const solePlaceWork* work, soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	// The foot goes along with the ankle: same place in the foot's frame as animated.
+	soleVec3 arm = soleInvRotate( leg->foot.rotation, soleSub( leg->foot.translation, leg->ankle ) );
+	soleVec3 place = soleAdd( leg->ankleReached, soleRotate( leg->footReached, arm ) );
+	int32_t parent = work->rig->slotParents[rig->footSlot];
+	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
+		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }
+	                                          : work->slots[parent];
+	if ( rig->footBelowPelvis )
+	{
+		space.translation = soleMulAdd( space.translation, work->pelvisShift, work->up );
+	}
+	leg->out->footTranslation_l = soleInvTransformPoint( space, place );
+	leg->out->footRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( space.rotation ), leg->footReached ) );
+}
+
+void soleAlignAnkles( solePlaceWork* work )
+{
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleLegWork* leg = work->legs + i;
+		if ( leg->usable == false )
+		{
+			continue;
+		}
+		const soleRigLeg* rig = leg->rig;
+		int32_t last = rig->def.jointCount - 1;
+		soleLegOutput* out = leg->out;
+		// Joints between hip and knee, and knee and ankle, are carried as they are: their local rotations stay. A turn
+		// q before a world rotation Q is conj( parent ) q Q in the parent's space; at the knee the hip's turn is in the
+		// parent already.
+		out->rotations_l[0] =
+		    soleNormalizeQuat( soleMulQuat( soleConjugate( soleParentRotation( work, rig->slots[0] ) ),
+		        soleMulQuat( leg->hipTurn, leg->rotations[0] ) ) );
+		int32_t knee = rig->kneeIndex;
+		if ( knee > 0 )
+		{
+			soleQuat parent = soleParentRotation( work, rig->slots[knee] );
+			out->rotations_l[knee] = soleNormalizeQuat(
+			    soleMulQuat( soleConjugate( parent ), soleMulQuat( leg->kneeTurn, leg->rotations[knee] ) ) );
+		}
+		if ( rig->def.hasVirtualAnkle == false )
+		{
+			soleQuat turn = last > knee && knee > 0 ? soleMulQuat( leg->hipTurn, leg->kneeTurn ) : leg->hipTurn;
+			soleQuat parent = soleMulQuat( turn, soleParentRotation( work, rig->slots[last] ) );
+			// A detached foot is turned itself; the ankle's joint then keeps its animated turn.
+			out->rotations_l[last] = rig->def.detachedFoot != SOLE_NONE
+			    ? out->rotations_l[last]
+			    : soleNormalizeQuat( soleMulQuat( soleConjugate( parent ), leg->footReached ) );
+		}
+		if ( rig->def.detachedFoot != SOLE_NONE )
+		{
+			soleWriteDetachedFoot( work, leg );
+		}
+		if ( rig->toeSlot != SOLE_NONE && soleHasAnkle( rig ) )
+		{
+			// Joints between foot and toe keep their turns: the new toe is expressed in its own parent.
+			soleQuat foot =
+			    soleMulQuat( soleConjugate( leg->foot.rotation ), soleParentRotation( work, rig->toeSlot ) );
+			out->toeRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( foot ), soleBendToe( work, leg ) ) );
+		}
+	}
+}

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// Leg: heel lift, soft reach, and the two-bone solve about the animated hinge.
+//
+// Two bones. k = K - H, s = A - K, d0 = A - H, d1 = T - H, u = their directions. The leg bends about n, the normal of
+// its animated plane on the side of the rig's hinge, or that hinge itself where the leg is nearly straight. Seen along
+// n the bones have the lengths a', b'. For a distance L between hip and target, with Lm = a' + b' and e = Lm - L, the
+// halves of the knee's flexion and of the thigh's angle to d are, without an angle ever being formed,
+//   (c1, s1) = ( sqrt q, sqrt p ) / sqrt( p + q )      p  = ( Lm + L ) e         q  = ( L + a' - b' )( L - a' + b' )
+//   (c2, s2) = ( sqrt q2, -sqrt p2 ) / sqrt( p2 + q2 ) p2 = ( b' + L - a' ) e    q2 = ( Lm + L )( a' + L - b' )
+// (half-angle forms of the law of cosines; p + q = 4 a'b', p2 + q2 = 4 a'L). The animated halves come from vectors, and
+// what is applied is the difference: nothing changes where target = animation. The leg swings from d0 to d1 by the
+// shortest rotation: there is no pole vector and no pole singularity. e is formed once: forming it again in another
+// order costs three digits near full extension.
+//
+// Soft reach. Beyond `soft` the distance approaches `hard` as hard - z exp( -( L - soft ) / z ), z = hard - soft, which
+// leaves the line L = L with slope 1.
+//
+// Heel lift. A planted foot that would overstretch its leg is rolled about its ball B before anything else gives. With
+// a0 = ankle - B, w = hip - B, side axis e, the ankle's path is a circle; |w - a|^2 = l^2 gives the cosine c of its
+// angle to w's part in that plane:  c = ( ( |a0|^2 + |w|^2 - l^2 ) / 2 - a_e w_e ) / ( r |w_p| ).
+#include "place/place.h"
+
+#define NEARLY_STRAIGHT 0.05f // sine of the flexion below which the rig's hinge is leaned on
+
+// ------------------------------------------------------------------------------------------------------- two bones
+
+/// The axis that the knee bends about now, unit, at right angles to u0.
+static soleVec3 soleFindHinge( soleVec3 k, soleVec3 s, float a, float b, soleVec3 u0, soleVec3 rigHinge )
+{
+	soleVec3 any = soleAnyOrthogonal( u0 );
+	soleVec3 reference = soleNormalizeOr( soleReject( rigHinge, u0 ), any );
+	soleVec3 n = soleScale( 1.0f / ( a * b ), soleCross( k, s ) );
+	float f = soleLength( n );
+	soleVec3 axis = soleDot( n, reference ) < 0.0f ? soleNeg( n ) : n;
+	if ( f < NEARLY_STRAIGHT )
+	{
+		axis = soleMulAdd( axis, NEARLY_STRAIGHT - f, reference );
+	}
+	return soleNormalizeOr( soleReject( axis, u0 ), reference );
+}
+
+/// Flexion and thigh angle that make the leg as long as L, as halves, in the hinge plane.
+static void soleBend( float a, float b, float length, soleHalf* flexion, soleHalf* thigh )
+{
+	float most = a + b;
+	float e = soleMaxF( most - length, 0.0f );
+	float p = ( most + length ) * e;
+	float q = soleMaxF( ( length + a - b ) * ( length - a + b ), 0.0f );
+	float p2 = soleMaxF( ( b + length - a ) * e, 0.0f );
+	float q2 = soleMaxF( ( most + length ) * ( a + length - b ), 0.0f );
+	float r = sqrtf( soleMaxF( p + q, 1e-30f ) );
+	float r2 = sqrtf( soleMaxF( p2 + q2, 1e-30f ) );
+	*flexion = ( soleHalf ){ sqrtf( q ) / r, sqrtf( p ) / r };
+	*thigh = ( soleHalf ){ sqrtf( q2 ) / r2, -sqrtf( p2 ) / r2 };
+}
+
+static float soleSoften( float length, float soft, float hard )
+{
+	float zone = hard - soft;
+	if ( length <= soft )
+	{
+		return length;
+	}
+	return zone > 1e-6f * hard ? hard - zone * soleExpNegative( ( length - soft ) / zone ) : hard;
+}
+
+soleTwoBoneResult soleSolveTwoBone( const soleTwoBoneDef* def )
+{
+	soleTwoBoneResult result = { soleQuat_Identity(), soleQuat_Identity(), def->ankle, 0 };
+	soleVec3 k = soleSub( def->knee, def->hip );
+	soleVec3 s = soleSub( def->ankle, def->knee );
+	soleVec3 d0 = soleSub( def->ankle, def->hip );
+	soleVec3 d1 = soleSub( def->target, def->hip );
+	float a = soleLength( k ), b = soleLength( s ), length0 = soleLength( d0 ), length1 = soleLength( d1 );
+	float bones = a + b;
+	if ( !( length0 > 1e-4f * bones ) || !( length1 > 1e-4f * bones ) || !soleIsFinite( length0 + length1 + bones ) ||
+	    !soleVec3_IsFinite( def->hinge ) )
+	{
+		result.flags = (uint32_t)sole_legDegenerate;
+		return result;
+	}
+	soleVec3 u0 = soleScale( 1.0f / length0, d0 );
+	soleVec3 u1 = soleScale( 1.0f / length1, d1 );
+	if ( !( a > 1e-6f * bones ) || !( b > 1e-6f * bones ) )
+	{
+		// One bone: it can only point.
+		result.hip = soleFromTo( u0, u1, def->hinge );
+		result.ankle = soleAdd( def->hip, soleRotate( result.hip, d0 ) );
+		result.flags = (uint32_t)sole_legDegenerate;
+		return result;
+	}
+	float hard = soleClampF( def->reach, 0.0f, 1.0f ) * bones;
+	float soft = soleClampF( hard - def->softZone, 0.0f, hard );
+	float fold = soleClampF( def->fold, 0.0f, 1.0f ) * bones;
+	result.flags |= length1 > soft ? (uint32_t)sole_legSoftened : 0u;
+	result.flags |= length1 > hard ? (uint32_t)sole_legOutOfReach : 0u;
+	result.flags |= length1 < fold ? (uint32_t)sole_legFolded : 0u;
+
+	soleVec3 n = soleFindHinge( k, s, a, b, u0, def->hinge );
+	soleVec3 kp = soleReject( k, n );
+	soleVec3 sp = soleReject( s, n );
+	float ap = soleLength( kp ), bp = soleLength( sp );
+	float difference = ap > bp ? ap - bp : bp - ap;
+	float length = soleMaxF( soleSoften( length1, soft, hard ), fold );
+	length = soleClampF( length, difference * ( 1.0f + 1e-4f ) + 1e-6f * bones, ap + bp );
+
+	soleHalf flexion0 = soleMakeHalf( soleDot( kp, sp ), soleDot( n, soleCross( kp, sp ) ) );
+	soleHalf thigh0 = soleMakeHalf( soleDot( kp, u0 ), soleDot( n, soleCross( u0, kp ) ) );
+	soleHalf flexion, thigh;
+	soleBend( ap, bp, length, &flexion, &thigh );
+	result.knee = soleHalfRotation( n, soleSubHalf( flexion, flexion0 ) );
+	soleQuat swing = soleFromTo( u0, u1, n );
+	result.hip = soleNormalizeQuat( soleMulQuat( swing, soleHalfRotation( n, soleSubHalf( thigh, thigh0 ) ) ) );
+	soleVec3 shin = soleRotate( result.knee, s );
+	result.ankle = soleAdd( def->hip, soleRotate( result.hip, soleAdd( k, shin ) ) );
+	return result;
+}
+
+// -------------------------------------------------------------------------------------------------------- heel lift
+
+/// Rolls the foot about its ball, heel up, until the leg can be as long as `permitted` at most. Changes the ankle
+/// target and the foot.
+static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float permitted )
+{
+	soleVec3 a0 = soleSub( leg->ankleTarget, leg->ballTarget );
+	soleVec3 w = soleSub( leg->hip, leg->ballTarget );
+	soleVec3 side = soleRotate( leg->footReached, leg->rig->footSide );
+	float ae = soleDot( a0, side );
+	float we = soleDot( w, side );
+	soleVec3 ap = soleMulAdd( a0, -ae, side );
+	soleVec3 wp = soleMulAdd( w, -we, side );
+	float r = soleLength( ap );
+	float wl = soleLength( wp );
+	float least = 1e-4f * leg->length;
+	if ( r < least || wl < least )
+	{
+		return;
+	}
+	float c = ( 0.5f * ( soleDot( a0, a0 ) + soleDot( w, w ) - permitted * permitted ) - ae * we ) / ( r * wl );
+	c = soleClampF( c, -1.0f, 1.0f ); // 1: rolling alone does not reach, the nearest point of the circle
+	float sine = soleSqrtF( 1.0f - c * c );
+	soleVec3 u = soleScale( 1.0f / wl, wp );
+	soleVec3 v = soleCross( side, u );
+	soleHalf roots[2];
+	for ( int32_t i = 0; i < 2; ++i )
+	{
+		soleVec3 a = soleScale( r, soleMulAdd( soleScale( c, u ), i == 0 ? sine : -sine, v ) );
+		roots[i] = soleMakeHalf( soleDot( ap, a ), soleDot( side, soleCross( ap, a ) ) );
+	}
+	// The nearer root is the one that the foot meets on its way. Positive turns about side raise the toes: where that
+	// is the way to the hip, lifting the heel is of no help.
+	soleHalf best = roots[0].s * roots[0].s <= roots[1].s * roots[1].s ? roots[0] : roots[1];
+	if ( !( best.s < 0.0f ) )
+	{
+		return;
+	}
+	// A foot in flight needs no heel lift: it hangs short of its target instead. The limit comes and goes with contact.
+	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift * leg->state->plantWeight );
+	best = best.s < -most.s ? ( soleHalf ){ most.c, -most.s } : best;
+	soleQuat roll = soleHalfRotation( side, best );
+	leg->footReached = soleNormalizeQuat( soleMulQuat( roll, leg->footReached ) );
+	leg->ankleGoal = soleAdd( leg->ballTarget, soleRotate( roll, a0 ) );
+	leg->out->flags |= (uint32_t)sole_legHeelLifted;
+}
+
+// --------------------------------------------------------------------------------------------------------- the stage
+
+static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
+{
+	int32_t knee = leg->rig->kneeIndex;
+	leg->hip = soleMulAdd( leg->joints[0], work->pelvisShift, work->up );
+	leg->ankleGoal = leg->ankleTarget;
+	leg->footReached = leg->footTarget;
+	soleReach reach = soleGetReach( work, leg );
+	if ( leg->weight > 0.0f && leg->state->plantWeight > 0.0f &&
+	    soleDistance( leg->hip, leg->ankleTarget ) > reach.soft )
+	{
+		soleLiftHeel( work, leg, reach.soft );
+	}
+	// The chain is as the animation bends it: two stiff parts around the knee, hip and ankle fixed in them.
+	soleTwoBoneDef def = {
+		.hip = leg->hip,
+		.knee = soleMulAdd( leg->joints[knee], work->pelvisShift, work->up ),
+		.ankle = soleMulAdd( leg->ankle, work->pelvisShift, work->up ),
+		.target = leg->ankleGoal,
+		.hinge = soleRotate( leg->rotations[0], leg->rig->hinge ),
+	};
+	float bones = soleDistance( def.hip, def.knee ) + soleDistance( def.knee, def.ankle );
+	float perBone = bones > 0.0f ? 1.0f / bones : 0.0f;
+	def.reach = soleMinF( reach.hard * perBone, 1.0f );
+	def.softZone = reach.hard - reach.soft;
+	def.fold = soleMinF( work->settings->leg.fold * leg->length, soleDistance( def.hip, def.ankle ) ) * perBone;
+	soleTwoBoneResult result = soleSolveTwoBone( &def );
+	leg->hipTurn = result.hip;
+	leg->kneeTurn = result.knee;
+	leg->ankleReached = result.ankle;
+	leg->out->flags |= result.flags;
+	leg->out->ankleTarget_w = soleAdd( leg->ankleGoal, work->root_w );
+	leg->out->ankle_w = soleAdd( result.ankle, work->root_w );
+	leg->out->error = soleDistance( result.ankle, leg->ankleGoal );
+	leg->out->extension = soleDistance( leg->hip, result.ankle ) / leg->length;
+}
+
+void soleSolveLegs( solePlaceWork* work )
+{
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		if ( work->legs[i].usable )
+		{
+			soleSolveLeg( work, work->legs + i );
+		}
+	}
+}

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// What the stages of a frame hand on to one another. Only place.c calls the stages, in the order in which they stand
+// here; none of them calls another.
+//
+// Space of all positions here: world axes, origin at the frame's root ("near space"), so that nothing is lost far from
+// the world's origin. Heights are along the frame's up.
+#ifndef SOLE_PLACE_PLACE_H
+#define SOLE_PLACE_PLACE_H
+
+#include "base/math_internal.h"
+#include "base/spring.h"
+#include "rig/rig.h"
+
+/// soleLegState.flags
+enum
+{
+	sole_stateLocked = 1 << 0, // the foot is held at lockPoint_w
+	sole_stateByHeel = 1 << 1, // lockPoint_w is the heel's place, else the ball's
+	sole_stateHeelOn = 1 << 2, // contact of heel and toe, with hysteresis
+	sole_stateToeOn = 1 << 3,
+	sole_stateBarred = 1 << 4, // a lock was given up: no new one before the foot has been free
+};
+
+/// A plane with its normal's height taken apart: height over a place x is height + dot( gradient, x - point ), with the
+/// gradient horizontal.
+typedef struct solePlane
+{
+	soleVec3 point;
+	soleVec3 normal;   // unit
+	soleVec3 gradient; // rise per length, horizontal
+} solePlane;
+
+/// One leg during a frame.
+typedef struct soleLegWork
+{
+	const soleRigLeg* rig;
+	soleLegState* state;
+	soleLegOutput* out;
+	int32_t index;
+	float weight; // frame.weight * legWeight
+	float length; // of the bones now, world
+	bool usable;  // finite and of some length
+	soleContactInput contactInput;
+
+	// sense: the animated leg
+	soleVec3 joints[SOLE_MAX_LEG_JOINTS + 1]; // hip first, (virtual) ankle last
+	soleQuat rotations[SOLE_MAX_LEG_JOINTS];
+	int32_t ankleIndex; // of the last entry of joints
+	soleTransform foot; // the joint that carries the sole
+	soleQuat footParentRotation;
+	soleQuat toeRotation;
+	soleVec3 ankle, heel, ball, toe;              // sole points of the rigid foot
+	soleVec3 forward;                             // horizontal heading of the foot, unit
+	soleVec3 side;                                // forward x up
+	float ankleRise, heelRise, ballRise, toeRise; // over the clip's floor
+	float sunk;                                   // how far the clip itself has the sole under its floor
+	float heelSpeed, ballSpeed;                   // over the ground, with the root's motion
+	soleVec3 ballVelocity, heelVelocity;          // horizontal
+
+	// probe: what the probes were aimed at
+	soleVec3 soleCenter;  // ball of the flat sole, horizontal place
+	soleVec3 soleForward; // its heading
+
+	// support
+	solePlane raw;   // the plane that carries the sole, as the ground is now
+	solePlane plane; // with what is left of earlier ground
+	float toeSlope;  // rise per length of the ground in front of the ball, over the plane
+	bool hasGround;
+
+	// contact
+	bool planted;
+	float since;          // the change of contact happened so long before the end of this frame, s
+	soleVec3 anchor;      // animated point that is held or led: ball or heel, dropped on the clip's floor
+	soleVec3 anchorGoal;  // where it goes, horizontal place
+	soleQuat turn;        // heading offset about up
+	soleVec3 anchorShift; // puts the ankle of a tilted foot over its animated place, horizontal
+
+	// target
+	soleQuat image; // rotation from the clip's floor to the plane
+	soleVec3 ankleTarget;
+	soleQuat footTarget;
+	soleVec3 ballTarget; // the rigid foot's ball, about which the heel is raised
+
+	// leg
+	soleVec3 hip; // with the pelvis moved
+	soleQuat hipTurn, kneeTurn;
+	soleVec3 ankleReached;
+	soleVec3 ankleGoal;   // ankleTarget and
+	soleQuat footReached; // footTarget with the heel raised
+} soleLegWork;
+
+/// One character during a frame.
+typedef struct solePlaceWork
+{
+	const soleRig* rig;
+	const soleSettings* settings;
+	const soleFrame* frame;
+	soleState* state;
+	soleOutput* out;
+
+	soleVec3 up;     // world
+	soleVec3 rootUp; // the rig's up carried by the root
+	soleVec3 floor;  // a point of the clip's floor
+	float reference; // its height
+	soleVec3 root_w; // near space + root_w = world
+	float rootScale;
+	float timeStep;
+	bool first;        // nothing is remembered
+	float rootSpeed;   // horizontal, for fast gaits
+	float pelvisShift; // along up
+	soleTransform slots[SOLE_MAX_SLOTS];
+
+	int32_t legCount;
+	soleLegWork legs[SOLE_MAX_LEGS];
+} solePlaceWork;
+
+static inline soleVec3 soleHorizontal( const solePlaceWork* work, soleVec3 v )
+{
+	return soleReject( v, work->up );
+}
+
+/// Height of a plane over a horizontal place.
+static inline float solePlaneHeight( const solePlaceWork* work, solePlane plane, soleVec3 place )
+{
+	return soleDot( plane.point, work->up ) +
+	    soleDot( plane.gradient, soleHorizontal( work, soleSub( place, plane.point ) ) );
+}
+
+/// The same place, moved along up to a height.
+static inline soleVec3 soleAtHeight( const solePlaceWork* work, soleVec3 place, float height )
+{
+	return soleMulAdd( soleHorizontal( work, place ), height, work->up );
+}
+
+static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point, soleVec3 gradient )
+{
+	return ( solePlane ){ point, soleNormalizeOr( soleSub( work->up, gradient ), work->up ), gradient };
+}
+
+/// How many probes a leg asks for: depends on settings alone.
+static inline int32_t soleProbesPerLeg( const soleSettings* settings )
+{
+	return settings->probe.layout == sole_probeQuality ? 18 : ( settings->probe.layout == sole_probeSingle ? 1 : 5 );
+}
+
+/// How long a leg may be: nothing is softened up to soft, nothing is longer than hard. An animation that stretches
+/// further keeps its own length.
+typedef struct soleReach
+{
+	float soft;
+	float hard;
+} soleReach;
+
+static inline soleReach soleGetReach( const solePlaceWork* work, const soleLegWork* leg )
+{
+	float animated = soleMinF( soleDistance( leg->joints[0], leg->ankle ), leg->length );
+	float hard = soleMaxF( work->settings->leg.reach * leg->length, animated );
+	float soft = soleMaxF( hard - work->settings->leg.softZone * leg->length, animated );
+	return ( soleReach ){ soft, hard };
+}
+
+/// The stages. Each reads what those before it wrote.
+
+/// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.
+void soleSense( solePlaceWork* work );
+/// What to ask of the ground. @return number of probes written
+int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity );
+/// Where the flat sole of a leg is aimed at, for asking and for reading the answers.
+void soleAimSole( solePlaceWork* work, soleLegWork* leg );
+/// Hits to the plane that carries the sole.
+void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount );
+/// Planted or free, held where.
+void soleUpdateContact( solePlaceWork* work );
+/// Where the next step lands.
+void soleChooseFoothold( solePlaceWork* work );
+/// Ankle and foot goals.
+void soleSetTargets( solePlaceWork* work );
+/// One offset that all legs can live with.
+void soleMovePelvis( solePlaceWork* work );
+/// Heel lift, reach, two-bone.
+void soleSolveLegs( solePlaceWork* work );
+/// Range of motion: turns what the solved leg's ankle cannot do into new targets for a second solve.
+void soleLimitAnkles( solePlaceWork* work );
+/// Alignment and toes; writes the output.
+void soleAlignAnkles( solePlaceWork* work );
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Sense: evaluates the animated legs, and says how high their soles are over the clip's own floor and how fast they
+// move over the ground.
+//
+// Heights are measured over the floor that the clip was made on, not over the world's ground: they tell what the
+// animator meant. Velocities are differences of positions with the root's motion in them, the vertical part taken from
+// the heights, so that a root that climbs a slope does not make a standing foot look fast.
+#include "place/place.h"
+
+static bool soleTransform_IsFinite( soleTransform t )
+{
+	return soleVec3_IsFinite( t.translation ) && soleQuat_IsFinite( t.rotation ) && soleVec3_IsFinite( t.scale );
+}
+
+static void soleEvaluateSlots( solePlaceWork* work )
+{
+	const soleRig* rig = work->rig;
+	soleTransform root = { { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( work->frame->root.rotation ),
+		work->frame->root.scale };
+	for ( int32_t i = 0; i < rig->slotCount; ++i )
+	{
+		soleTransform local = work->frame->pose[rig->slotJoints[i]];
+		local.rotation = soleNormalizeQuat( local.rotation );
+		int32_t parent = rig->slotParents[i];
+		work->slots[i] = soleMulTransform( parent == SOLE_NONE ? root : work->slots[parent], local );
+	}
+}
+
+static void soleSenseChain( solePlaceWork* work, soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	int32_t count = rig->def.jointCount;
+	leg->usable = true;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleTransform t = work->slots[rig->slots[i]];
+		leg->usable = leg->usable && soleTransform_IsFinite( t );
+		leg->joints[i] = t.translation;
+		leg->rotations[i] = t.rotation;
+	}
+	leg->ankleIndex = count - 1;
+	if ( rig->def.hasVirtualAnkle )
+	{
+		leg->joints[count] = soleTransformPoint( work->slots[rig->slots[count - 1]], rig->virtualAnkle );
+		leg->ankleIndex = count;
+	}
+	leg->ankle = leg->joints[leg->ankleIndex];
+	leg->length = 0.0f;
+	for ( int32_t i = 1; i <= leg->ankleIndex; ++i )
+	{
+		leg->length += soleDistance( leg->joints[i - 1], leg->joints[i] );
+	}
+	leg->usable = leg->usable && soleVec3_IsFinite( leg->ankle ) && leg->length > 1e-6f && soleIsFinite( leg->length );
+}
+
+static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	leg->foot = work->slots[rig->footSlot];
+	leg->usable = leg->usable && soleTransform_IsFinite( leg->foot );
+	int32_t parent = work->rig->slotParents[rig->footSlot];
+	leg->footParentRotation =
+	    parent == SOLE_NONE ? soleNormalizeQuat( work->frame->root.rotation ) : work->slots[parent].rotation;
+	leg->toeRotation = rig->toeSlot == SOLE_NONE ? soleQuat_Identity() : work->slots[rig->toeSlot].rotation;
+	leg->heel = soleTransformPoint( leg->foot, rig->heel );
+	leg->ball = soleTransformPoint( leg->foot, rig->ball );
+	leg->toe = soleTransformPoint( leg->foot, rig->toe );
+	soleVec3 ahead = soleRotate( leg->foot.rotation, rig->footForward );
+	// A foot that points straight up or down is headed where its underside or top faces.
+	soleVec3 over = soleRotate( leg->foot.rotation, rig->footUp );
+	soleVec3 fallback = soleScale( soleDot( ahead, work->up ) > 0.0f ? -1.0f : 1.0f, over );
+	fallback = soleNormalizeOr( soleHorizontal( work, fallback ), soleAnyOrthogonal( work->up ) );
+	soleVec3 level = soleHorizontal( work, ahead );
+	leg->forward = soleDot( level, level ) < 1e-4f ? fallback : soleNormalizeOr( level, fallback );
+	leg->side = soleCross( leg->forward, work->up );
+
+	leg->ankleRise = soleDot( soleSub( leg->ankle, work->floor ), work->rootUp );
+	leg->heelRise = soleDot( soleSub( leg->heel, work->floor ), work->rootUp );
+	leg->ballRise = soleDot( soleSub( leg->ball, work->floor ), work->rootUp );
+	leg->toeRise = soleDot( soleSub( leg->toe, work->floor ), work->rootUp );
+	soleVec3 inner = soleTransformPoint( leg->foot, rig->inner );
+	soleVec3 outer = soleTransformPoint( leg->foot, rig->outer );
+	float edges = soleMinF( soleDot( inner, work->rootUp ), soleDot( outer, work->rootUp ) );
+	float lowest = soleMinF( edges - soleDot( work->floor, work->rootUp ), soleMinF( leg->heelRise, leg->ballRise ) );
+	leg->sunk = soleMaxF( -lowest, 0.0f );
+}
+
+/// Horizontal velocity of a sole point since the last frame, and its speed with the change of its height.
+static soleVec3 soleSoleVelocity(
+    const solePlaceWork* work, soleVec3 now, soleVec3 before_w, float climb, float* speed )
+{
+	if ( work->first || !( work->timeStep > 0.0f ) )
+	{
+		*speed = 0.0f;
+		return soleVec( 0.0f, 0.0f, 0.0f );
+	}
+	float perSecond = 1.0f / work->timeStep;
+	soleVec3 before = soleSub( before_w, work->root_w );
+	soleVec3 step = soleScale( perSecond, soleHorizontal( work, soleSub( now, before ) ) );
+	float climbSpeed = perSecond * climb;
+	*speed = soleSqrtF( soleDot( step, step ) + climbSpeed * climbSpeed );
+	return step;
+}
+
+void soleSense( solePlaceWork* work )
+{
+	soleEvaluateSlots( work );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleLegWork* leg = work->legs + i;
+		soleSenseChain( work, leg );
+		soleSenseFoot( work, leg );
+		if ( leg->usable == false )
+		{
+			continue;
+		}
+		soleLegState* state = leg->state;
+		leg->heelVelocity =
+		    soleSoleVelocity( work, leg->heel, state->animHeel_w, leg->heelRise - state->heelRise, &leg->heelSpeed );
+		leg->ballVelocity =
+		    soleSoleVelocity( work, leg->ball, state->animBall_w, leg->ballRise - state->ballRise, &leg->ballSpeed );
+	}
+}

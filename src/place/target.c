@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Target: where ankle and foot should be.
+//
+// The animated foot, as it stands over the clip's floor, is carried as one rigid body from that floor to the plane
+// under it. With Q the anchor's place on the plane, q its place on the floor, R the heading offset and T the turn from
+// up to the plane's normal, every point p of the foot goes to
+//   p' = Q + T R ( p - q )
+// so its distance from the plane, along the normal, is its animated height over the floor: a flat foot lies flat, and
+// heel strike, heel-off and flight survive on any slope. The anchor neither slides nor leaves the plane while Q is
+// held.
+#include "place/place.h"
+
+/// Follows less of the slope, and stays above the ground for it: the flatter plane is raised until it touches the old
+/// one at an end of the sole.
+static solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg, float align )
+{
+	solePlane plane = leg->plane;
+	if ( align >= 1.0f )
+	{
+		return plane;
+	}
+	const soleRigLeg* rig = leg->rig;
+	soleVec3 lost = soleScale( 1.0f - align, plane.gradient );
+	soleVec3 side = soleCross( leg->soleForward, work->up );
+	float raise = 0.0f;
+	const float ahead[] = { -rig->heelBehind, rig->toeAhead, 0.0f, 0.0f };
+	const float aside[] = { 0.0f, 0.0f, rig->innerSide, rig->outerSide };
+	for ( int32_t i = 0; i < 4; ++i )
+	{
+		soleVec3 p = soleMulAdd( leg->soleCenter, ahead[i] * work->rootScale, leg->soleForward );
+		p = soleMulAdd( p, aside[i] * work->rootScale, side );
+		float over = soleDot( lost, soleHorizontal( work, soleSub( p, plane.point ) ) );
+		raise = soleMaxF( raise, over );
+	}
+	return soleMakePlane( work, soleMulAdd( plane.point, raise, work->up ), soleScale( align, plane.gradient ) );
+}
+
+void soleSetTargets( solePlaceWork* work )
+{
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleLegWork* leg = work->legs + i;
+		if ( leg->usable == false )
+		{
+			continue;
+		}
+		solePlane plane = soleFlatten( work, leg, work->settings->target.align );
+		soleVec3 q = leg->anchor;
+		soleVec3 goal = soleAtHeight( work, leg->anchorGoal, solePlaneHeight( work, plane, leg->anchorGoal ) );
+		goal = soleMulAdd( goal, leg->sunk, plane.normal );
+		soleQuat tilt = soleFromTo( work->up, plane.normal, leg->forward );
+		// Heights were measured along the root's up: a leaning root is put upright first.
+		soleQuat upright = soleFromTo( work->rootUp, work->up, leg->forward );
+		leg->image = soleMulQuat( tilt, soleMulQuat( leg->turn, upright ) );
+		soleVec3 ankle = soleAdd( goal, soleRotate( leg->image, soleSub( leg->ankle, q ) ) );
+		soleVec3 ball = soleAdd( goal, soleRotate( leg->image, soleSub( leg->ball, q ) ) );
+		soleQuat foot = soleMulQuat( leg->image, leg->foot.rotation );
+
+		leg->ankleTarget = soleLerp( leg->ankle, ankle, leg->weight );
+		leg->ballTarget = soleLerp( leg->ball, ball, leg->weight );
+		leg->footTarget = soleNlerp( leg->foot.rotation, foot, leg->weight );
+		leg->out->planePoint_w =
+		    soleAdd( soleAtHeight( work, ankle, solePlaneHeight( work, plane, ankle ) ), work->root_w );
+		leg->out->planeNormal_w = plane.normal;
+	}
+}

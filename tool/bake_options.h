@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The command line of `sole bake`.
+#ifndef TOOL_BAKE_OPTIONS_H
+#define TOOL_BAKE_OPTIONS_H
+
+#include "bake.h"
+#include "settings_file.h"
+#include "source.h"
+
+/// What toolReadBakeOptions() answers where there is something to bake; else it is an exit status.
+enum
+{
+	tool_goOn = -1
+};
+
+typedef struct toolBakeOptions
+{
+	const char* character;
+	const char* ground;
+	const char* output;
+	const char* clipsFile;
+	const char* settingsFile;
+	const char** clips;
+	int32_t clipCount;
+	const toolMethod** methods;
+	int32_t methodCount;
+	toolPlace* path;
+	int32_t pathCount;
+	toolPlace start;
+	double heading;
+	double distance;
+	double speed;
+	double fps;
+	double duration;
+	float scale;
+	bool autoScale;
+	bool hasStart;
+	bool hasHeading;
+	bool hasDistance;
+	bool withGround;
+	bool json;
+	bool printSettings;
+} toolBakeOptions;
+
+/// Prints the help, the settings or what is wrong, where that is what is asked for.
+int toolReadBakeOptions( int argc, char** argv, toolBakeOptions* options );
+void toolFreeBakeOptions( toolBakeOptions* options );
+
+#endif

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: MIT
+// Makes takes, from memory and from baked files, and measures them. The world's up is +Y, as in all files.
+#include "evaluate.h"
+
+#include <json-c/json.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MOST_TRANSFORMS 12000000 // of a take: 480 MB, and as much for the reference
+#define MOST_FRAMES 500000
+#define SKIP_TIME 0.5     // s at the start in which methods may settle
+#define FLAT_MARGIN 20.0f // leg lengths of flat ground around the way
+
+// ----------------------------------------------------------------------------------------------------------- make
+
+static soleVec3 toolUp( void )
+{
+	return soleVec( 0.0f, 1.0f, 0.0f );
+}
+
+static bool toolAllocTake(
+    const toolCharacter* character, int32_t frameCount, double fps, toolTake* take, toolError* error )
+{
+	*take = ( toolTake ){ .frameCount = frameCount, .frameRate = (float)fps };
+	if ( frameCount < 1 || frameCount > MOST_FRAMES || frameCount > MOST_TRANSFORMS / character->jointCount )
+	{
+		return toolFail( error, "%d frames of %d nodes cannot be held: take a shorter clip or a lower rate", frameCount,
+		    character->jointCount );
+	}
+	size_t frames = (size_t)frameCount;
+	size_t joints = (size_t)character->jointCount;
+	double skip = fmin( SKIP_TIME * fps, 0.25 * (double)frameCount );
+	take->skip = (int32_t)skip;
+	take->poses = toolAlloc( frames * joints, sizeof *take->poses );
+	take->roots = toolAlloc( frames, sizeof *take->roots );
+	take->referencePoses = toolAlloc( frames * joints, sizeof *take->referencePoses );
+	take->referenceRoots = toolAlloc( frames, sizeof *take->referenceRoots );
+	take->labels = toolAlloc( frames * (size_t)soleRig_GetLegCount( character->rig ), 1 );
+	return true;
+}
+
+void toolFreeTake( toolTake* take )
+{
+	free( take->poses );
+	free( take->roots );
+	free( take->referencePoses );
+	free( take->referenceRoots );
+	free( take->labels );
+	*take = ( toolTake ){ 0 };
+}
+
+/// The part of a root that goes along the floor: its heading and its place, the character's up made the world's, the
+/// clip's floor at height 0.
+static soleTransform toolFlattenRoot( const toolCharacter* character, soleTransform root, float clipFloor )
+{
+	soleQuat upright = soleFromTo( soleRig_GetUp( character->rig ), toolUp(), soleRig_GetForward( character->rig ) );
+	soleQuat turn = soleMulQuat( root.rotation, soleConjugate( upright ) );
+	soleQuat heading = soleNormalizeQuat( ( soleQuat ){ 0.0f, turn.y, 0.0f, turn.w } );
+	soleTransform flat = {
+		soleVec( root.translation.x, -clipFloor * root.scale.x, root.translation.z ),
+		soleMulQuat( heading, upright ),
+		root.scale,
+	};
+	return flat;
+}
+
+static soleMotion toolReferenceMotion( const toolCharacter* character, const toolTake* take )
+{
+	return ( soleMotion ){
+		.rig = character->rig,
+		.frameCount = take->frameCount,
+		.frameRate = take->frameRate,
+		.poses = take->referencePoses,
+		.roots = take->referenceRoots,
+		.up = toolUp(),
+	};
+}
+
+/// From the reference, while that is still the clip on flat ground.
+static bool toolLabelTake( const toolCharacter* character, float clipFloor, toolTake* take, toolError* error )
+{
+	soleMotion motion = toolReferenceMotion( character, take );
+	motion.clipFloor = clipFloor;
+	soleLabelDef def = soleDefaultLabelDef();
+	if ( soleLabelContacts( &motion, &def, NULL, take->labels ) != sole_success )
+	{
+		return toolFail( error, "contacts cannot be labelled: not enough memory: take a shorter clip" );
+	}
+	return true;
+}
+
+bool toolMakeTake( const toolCharacter* character, const toolTakeDef* def, toolTake* take, toolError* error )
+{
+	if ( toolAllocTake( character, def->frameCount, def->frameRate, take, error ) == false )
+	{
+		return false;
+	}
+	size_t count = (size_t)def->frameCount * (size_t)character->jointCount;
+	memcpy( take->poses, def->poses, count * sizeof *take->poses );
+	memcpy( take->referencePoses, def->inputPoses, count * sizeof *take->poses );
+	for ( int32_t i = 0; i < def->frameCount; ++i )
+	{
+		take->roots[i] = def->roots != NULL ? def->roots[i] : soleTransform_Identity();
+		take->referenceRoots[i] = toolFlattenRoot( character, def->inputRoots[i], def->clipFloor );
+	}
+	if ( toolLabelTake( character, def->clipFloor, take, error ) == false )
+	{
+		toolFreeTake( take );
+		return false;
+	}
+	return true;
+}
+
+bool toolMakeClipTake( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel, double fps,
+    double rounds, toolTake* take, toolError* error )
+{
+	double frames = floor( rounds * (double)bound->duration * fps + 0.5 ) + 1.0;
+	int32_t count = frames < (double)MOST_FRAMES ? (int32_t)frames : MOST_FRAMES + 1;
+	if ( toolAllocTake( character, count, fps, take, error ) == false )
+	{
+		return false;
+	}
+	size_t joints = (size_t)character->jointCount;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		double time = (double)i / fps;
+		if ( travel->loops == false )
+		{
+			// One round only: its end is not the start of another.
+			time = fmin( time, (double)bound->duration * ( 1.0 - 1e-7 ) );
+		}
+		soleTransform* pose = take->referencePoses + (size_t)i * joints;
+		soleTransform root;
+		toolSampleLooped( character, bound, travel, time, pose, &root );
+		if ( travel->rootMotion == false )
+		{
+			root.translation = soleScale( (float)time, travel->strideVelocity );
+		}
+		soleQuat upright =
+		    soleFromTo( soleRig_GetUp( character->rig ), toolUp(), soleRig_GetForward( character->rig ) );
+		root.translation = soleRotate( upright, root.translation );
+		root.rotation = soleMulQuat( upright, root.rotation );
+		take->referenceRoots[i] = toolFlattenRoot( character, root, travel->clipFloor );
+	}
+	memcpy( take->poses, take->referencePoses, (size_t)count * joints * sizeof *take->poses );
+	memcpy( take->roots, take->referenceRoots, (size_t)count * sizeof *take->roots );
+	if ( toolLabelTake( character, travel->clipFloor, take, error ) == false )
+	{
+		toolFreeTake( take );
+		return false;
+	}
+	return true;
+}
+
+// --------------------------------------------------------------------------------------------------- baked clips
+
+static void toolCopyText( struct json_object* from, const char* name, char* to, size_t size )
+{
+	struct json_object* value = NULL;
+	if ( json_object_object_get_ex( from, name, &value ) && json_object_is_type( value, json_type_string ) )
+	{
+		snprintf( to, size, "%s", json_object_get_string( value ) );
+	}
+}
+
+static double toolGetNumber( struct json_object* from, const char* name, double otherwise )
+{
+	struct json_object* value = NULL;
+	bool there = json_object_object_get_ex( from, name, &value ) &&
+	    ( json_object_is_type( value, json_type_double ) || json_object_is_type( value, json_type_int ) );
+	return there ? json_object_get_double( value ) : otherwise;
+}
+
+bool toolReadBakeInfo( const toolClip* clip, toolBakeInfo* info )
+{
+	*info = ( toolBakeInfo ){ .travel = SOLE_NONE };
+	struct json_object* extras = clip->extras != NULL ? json_tokener_parse( clip->extras ) : NULL;
+	struct json_object* sole = NULL;
+	bool good = extras != NULL && json_object_is_type( extras, json_type_object ) &&
+	    json_object_object_get_ex( extras, "sole", &sole ) && json_object_is_type( sole, json_type_object );
+	if ( good )
+	{
+		toolCopyText( sole, "clip", info->clip, sizeof info->clip );
+		toolCopyText( sole, "method", info->method, sizeof info->method );
+		toolCopyText( sole, "clips", info->clips, sizeof info->clips );
+		info->fps = toolGetNumber( sole, "fps", 0.0 );
+		info->rate = toolGetNumber( sole, "rate", 1.0 );
+		info->scale = toolGetNumber( sole, "scale", 1.0 );
+		double frames = toolGetNumber( sole, "frames", 0.0 );
+		double travel = toolGetNumber( sole, "travel", -1.0 );
+		// Who wrote this is not known: what is out of bounds makes it no bake of ours.
+		good = info->clip[0] != 0 && info->fps >= 1.0 && info->fps <= 10000.0 && info->rate > 0.0 &&
+		    info->rate <= 1000.0 && info->scale > 1e-9 && info->scale < 1e9 && frames >= 1.0 &&
+		    frames <= (double)MOST_FRAMES && travel >= 0.0 && travel < 1e9;
+		info->frameCount = good ? (int32_t)frames : 0;
+		info->travel = good ? (int32_t)travel : SOLE_NONE;
+	}
+	json_object_put( extras );
+	return good;
+}
+
+/// Poses of a baked clip as they are.
+static bool toolSampleBaked( const toolCharacter* character, int32_t clip, int32_t frameCount, double fps,
+    soleTransform* poses, toolError* error )
+{
+	toolBoundClip bound;
+	if ( toolBindClip( character, character->model, clip, &bound, error ) == false )
+	{
+		return false;
+	}
+	for ( int32_t i = 0; i < frameCount; ++i )
+	{
+		float time = (float)( (double)i / fps );
+		toolSampleClip( character, &bound, time, poses + (size_t)i * (size_t)character->jointCount );
+	}
+	toolFreeBoundClip( &bound );
+	return true;
+}
+
+/// What a node's place in one pose has to be moved by to be that in another; no scale.
+static soleTransform toolFindMove( soleTransform from, soleTransform to )
+{
+	soleTransform move = soleTransform_Identity();
+	move.rotation = soleNormalizeQuat( soleMulQuat( to.rotation, soleConjugate( from.rotation ) ) );
+	move.translation = soleSub( to.translation, soleRotate( move.rotation, from.translation ) );
+	return move;
+}
+
+bool toolRebuildTake( const toolCharacter* character, int32_t bakedClip, const toolBakeInfo* info,
+    const toolBoundClip* base, toolTake* take, toolError* error )
+{
+	if ( info->travel >= character->jointCount )
+	{
+		return toolFail( error, "clip '%s': its travel node %d is not in the file: bake it again",
+		    character->model->clips[bakedClip].name, info->travel );
+	}
+	if ( toolAllocTake( character, info->frameCount, info->fps, take, error ) == false )
+	{
+		return false;
+	}
+	if ( toolSampleBaked( character, bakedClip, info->frameCount, info->fps, take->poses, error ) == false )
+	{
+		toolFreeTake( take );
+		return false;
+	}
+	toolTravel travel = toolFindTravel( character, base );
+	size_t joints = (size_t)character->jointCount;
+	for ( int32_t i = 0; i < info->frameCount; ++i )
+	{
+		soleTransform own; // what it does to the root is in the baked travel
+		soleTransform* pose = take->referencePoses + (size_t)i * joints;
+		toolSampleLooped( character, base, &travel, (double)i / info->fps * info->rate, pose, &own );
+		soleTransform from = toolPoseWorld( character, pose, info->travel );
+		soleTransform to = toolPoseWorld( character, take->poses + (size_t)i * joints, info->travel );
+		take->roots[i] = soleTransform_Identity();
+		take->referenceRoots[i] = toolFlattenRoot( character, toolFindMove( from, to ), travel.clipFloor );
+	}
+	if ( toolLabelTake( character, travel.clipFloor, take, error ) == false )
+	{
+		toolFreeTake( take );
+		return false;
+	}
+	return true;
+}
+
+bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTake* take, toolError* error )
+{
+	const toolClip* reference = character->model->clips + clip;
+	toolBakeInfo info;
+	bool alike = toolReadBakeInfo( reference, &info ) && info.frameCount == take->frameCount &&
+	    fabs( info.fps - (double)take->frameRate ) < 1e-3;
+	if ( alike == false )
+	{
+		return toolFail( error, "clip '%s' is no bake of %d frames at %g fps: bake both in one run", reference->name,
+		    take->frameCount, (double)take->frameRate );
+	}
+	if ( toolSampleBaked( character, clip, take->frameCount, info.fps, take->referencePoses, error ) == false )
+	{
+		return false;
+	}
+	for ( int32_t i = 0; i < take->frameCount; ++i )
+	{
+		take->referenceRoots[i] = soleTransform_Identity();
+	}
+	take->referenceOnGround = true;
+	return true;
+}
+
+// -------------------------------------------------------------------------------------------------------- measure
+
+/// Flat ground at height 0 under all of the reference's way.
+static soleTerrain* toolMakeFlat( const toolCharacter* character, const toolTake* take )
+{
+	float margin = FLAT_MARGIN * soleRig_GetLegLength( character->rig, 0 ) * take->referenceRoots[0].scale.x;
+	soleVec3 low = take->referenceRoots[0].translation;
+	soleVec3 high = low;
+	for ( int32_t i = 1; i < take->frameCount; ++i )
+	{
+		soleVec3 p = take->referenceRoots[i].translation;
+		low.x = soleMinF( low.x, p.x );
+		low.z = soleMinF( low.z, p.z );
+		high.x = soleMaxF( high.x, p.x );
+		high.z = soleMaxF( high.z, p.z );
+	}
+	float positions[12] = { low.x - margin, 0.0f, low.z - margin, low.x - margin, 0.0f, high.z + margin,
+		high.x + margin, 0.0f, high.z + margin, high.x + margin, 0.0f, low.z - margin };
+	uint32_t indices[6] = { 0, 1, 2, 0, 2, 3 };
+	soleTerrain* terrain = NULL;
+	soleCreateTerrain( positions, 4, indices, 2, toolUp(), NULL, &terrain, NULL );
+	return terrain;
+}
+
+bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+{
+	soleMotion reference = toolReferenceMotion( character, take );
+	soleMotion motion = reference;
+	motion.poses = take->poses;
+	motion.roots = take->roots;
+	soleMeasureDef def = soleDefaultMeasureDef();
+	def.motion = &motion;
+	def.reference = &reference;
+	def.labels = take->labels;
+	def.terrain = terrain;
+	def.points = character->points;
+	def.pointCount = character->pointCount;
+	def.skip = take->skip;
+	soleMessage message = { { 0 } };
+	soleResult result = soleMeasureMotion( &def, NULL, figures, &message );
+	if ( result == sole_success && referenceFigures != NULL )
+	{
+		soleTerrain* flat = take->referenceOnGround ? NULL : toolMakeFlat( character, take );
+		def.motion = &reference;
+		def.reference = NULL;
+		def.terrain = take->referenceOnGround ? terrain : flat;
+		result = soleMeasureMotion( &def, NULL, referenceFigures, &message );
+		soleDestroyTerrain( flat );
+	}
+	return result == sole_success || toolFail( error, "the motion cannot be measured: %s", message.text );
+}

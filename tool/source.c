@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Opens characters and grounds by file or by the name of an embedded sample. World of the ground, metres, Y up.
+#include "source.h"
+
+#include "scenario.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static bool toolIsThere( const char* path )
+{
+	struct stat info;
+	return stat( path, &info ) == 0;
+}
+
+bool toolOpenEmbeddedCharacter( const char* name, toolGltf** gltf )
+{
+	*gltf = NULL;
+	(void)name;
+	return false;
+}
+
+bool toolOpenCharacter( const char* name, toolGltf** gltf, toolError* error )
+{
+	bool embedded = toolIsThere( name ) == false && toolOpenEmbeddedCharacter( name, gltf );
+	return embedded || toolReadGltf( name, gltf, error );
+}
+
+static void toolTakeScene( const soleScene* scene, toolGroundSource* source )
+{
+	size_t positions = 3 * (size_t)scene->vertexCount;
+	size_t indices = 3 * (size_t)scene->triangleCount;
+	source->mesh.vertexCount = scene->vertexCount;
+	source->mesh.triangleCount = scene->triangleCount;
+	source->mesh.positions = toolAlloc( positions, sizeof *source->mesh.positions );
+	source->mesh.indices = toolAlloc( indices, sizeof *source->mesh.indices );
+	memcpy( source->mesh.positions, scene->positions, positions * sizeof *source->mesh.positions );
+	memcpy( source->mesh.indices, scene->indices, indices * sizeof *source->mesh.indices );
+	source->pathCount = scene->pathCount;
+	source->path = scene->pathCount > 0 ? toolAlloc( (size_t)scene->pathCount, sizeof *source->path ) : NULL;
+	for ( int32_t i = 0; i < scene->pathCount; ++i )
+	{
+		source->path[i] = ( toolPlace ){ (double)scene->path[i][0], (double)NAN, (double)scene->path[i][1] };
+	}
+}
+
+static bool toolBuildGround( toolGroundSource* source, bool twoSided, toolError* error )
+{
+	soleGroundMesh mesh = soleDefaultGroundMesh();
+	mesh.vertices = source->mesh.positions;
+	mesh.vertexCount = source->mesh.vertexCount;
+	mesh.indices = source->mesh.indices;
+	mesh.triangleCount = source->mesh.triangleCount;
+	mesh.twoSided = twoSided;
+	soleGroundDef def = soleDefaultGroundDef();
+	def.meshes = &mesh;
+	def.meshCount = 1;
+	soleMessage message = { { 0 } };
+	if ( soleCreateGround( &def, NULL, &source->ground, &message ) != sole_success )
+	{
+		return toolFail( error, "%s: %s", source->name, message.text );
+	}
+	if ( soleGround_GetTriangleCount( source->ground ) == 0 )
+	{
+		return toolFail( error, "%s: no triangle has an area: give a mesh to walk on", source->name );
+	}
+	return true;
+}
+
+bool toolOpenEmbeddedGround( const char* name, toolGroundSource* source )
+{
+	*source = ( toolGroundSource ){ 0 };
+	soleScene scene = { 0 };
+	if ( soleMakeScene( name, &scene ) == false )
+	{
+		return false;
+	}
+	source->name = toolCopyString( name );
+	toolTakeScene( &scene, source );
+	soleFreeScene( &scene );
+	bool good = toolBuildGround( source, false, NULL );
+	if ( good == false )
+	{
+		toolCloseGround( source );
+	}
+	return good;
+}
+
+bool toolOpenGround( const char* name, toolGroundSource* source, toolError* error )
+{
+	if ( toolIsThere( name ) == false && toolOpenEmbeddedGround( name, source ) )
+	{
+		return true;
+	}
+	*source = ( toolGroundSource ){ .name = toolCopyString( name ) };
+	// Files are wound as their makers cared: both sides count.
+	bool good = toolReadGround( name, 1.0f, &source->mesh, error ) && toolBuildGround( source, true, error );
+	if ( good == false )
+	{
+		toolCloseGround( source );
+	}
+	return good;
+}
+
+void toolCloseGround( toolGroundSource* source )
+{
+	soleDestroyGround( source->ground );
+	toolFreeGroundMesh( &source->mesh );
+	free( source->path );
+	free( source->name );
+	*source = ( toolGroundSource ){ 0 };
+}
+
+void toolMakeGroundModel( const toolGroundSource* source, toolModel* model )
+{
+	*model = ( toolModel ){ .nodeCount = 1, .meshCount = 1, .materialCount = 1 };
+	model->nodes = toolAlloc( 1, sizeof *model->nodes );
+	model->nodes[0] = ( toolNode ){
+		.name = toolCopyString( "ground" ), .parent = SOLE_NONE, .local = soleTransform_Identity(), .skin = SOLE_NONE
+	};
+	model->materials = toolAlloc( 1, sizeof *model->materials );
+	model->materials[0] = ( toolMaterial ){ .name = toolCopyString( "ground" ),
+		.color = { 0.45f, 0.47f, 0.45f, 1.0f },
+		.roughness = 0.9f,
+		.doubleSided = true };
+	model->meshes = toolAlloc( 1, sizeof *model->meshes );
+	model->meshes[0] = ( toolMesh ){ .name = toolCopyString( "ground" ), .primitiveCount = 1 };
+	toolPrimitive* primitive = toolAlloc( 1, sizeof *primitive );
+	model->meshes[0].primitives = primitive;
+	size_t positions = 3 * (size_t)source->mesh.vertexCount;
+	size_t indices = 3 * (size_t)source->mesh.triangleCount;
+	primitive->vertexCount = source->mesh.vertexCount;
+	primitive->positions = toolAlloc( positions, sizeof *primitive->positions );
+	memcpy( primitive->positions, source->mesh.positions, positions * sizeof *primitive->positions );
+	primitive->indexCount = 3 * source->mesh.triangleCount;
+	primitive->indices = toolAlloc( indices, sizeof *primitive->indices );
+	memcpy( primitive->indices, source->mesh.indices, indices * sizeof *primitive->indices );
+}
