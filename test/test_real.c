@@ -290,9 +290,9 @@ static void framesPerSecondMakeLittleDifference( void** state )
 	(void)state;
 	TEST_NEEDS_DATA( PAB );
 	TEST_NEEDS_DATA( QUATERNIUS );
-	frameRatesAgree( PAB, "walk", "T01", 0.003 );
+	frameRatesAgree( PAB, "walk", "T01", 0.004 );
 	frameRatesAgree( PAB, "walk", "T11-20", 0.005 );
-	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T01", 0.003 );
+	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T01", 0.004 );
 	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T11-20", 0.005 );
 }
 

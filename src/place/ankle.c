@@ -76,8 +76,8 @@ static bool soleHasAnkle( const soleRigLeg* rig )
 	return rig->def.hasVirtualAnkle == false || rig->def.detachedFoot != SOLE_NONE;
 }
 
-/// Height, over the ball and along a normal, of the lowest point of a sole that is turned like this. Toes that bend are
-/// left out.
+/// Height, over the pivot and along a normal, of the lowest point of a sole that is turned like this. Toes that bend
+/// are left out.
 static float soleLowestPoint( const soleLegWork* leg, soleQuat foot, soleVec3 normal )
 {
 	const soleRigLeg* rig = leg->rig;
@@ -86,21 +86,22 @@ static float soleLowestPoint( const soleLegWork* leg, soleQuat foot, soleVec3 no
 	float lowest = 0.0f;
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		soleVec3 arm = soleRotate( foot, soleMul( leg->foot.scale, soleSub( points[i], rig->ball ) ) );
-		lowest = soleMinF( lowest, soleDot( arm, normal ) );
+		soleVec3 arm = soleRotate( foot, soleMul( leg->foot.scale, soleSub( points[i], rig->pivot ) ) );
+		float height = soleDot( arm, normal );
+		lowest = i == 0 || height < lowest ? height : lowest;
 	}
 	return lowest;
 }
 
 /// Sets the targets of a foot that was turned from `wanted` to `turned`: its lowest point stays as high as it was
-/// wanted, its ball where it was along the ground.
+/// wanted, its pivot where it was along the ground.
 static void soleRetarget( soleLegWork* leg, soleQuat wanted, soleQuat turned )
 {
-	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->ballTarget ) );
+	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->pivotTarget ) );
 	soleVec3 normal = leg->out->planeNormal_w;
 	float raise = soleLowestPoint( leg, wanted, normal ) - soleLowestPoint( leg, turned, normal );
-	leg->ballTarget = soleMulAdd( leg->ballTarget, raise, normal );
-	leg->ankleTarget = soleAdd( leg->ballTarget, soleRotate( turned, arm ) );
+	leg->pivotTarget = soleMulAdd( leg->pivotTarget, raise, normal );
+	leg->ankleTarget = soleAdd( leg->pivotTarget, soleRotate( turned, arm ) );
 	leg->footTarget = turned;
 }
 

@@ -122,8 +122,8 @@ soleTwoBoneResult soleSolveTwoBone( const soleTwoBoneDef* def )
 /// target and the foot.
 static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float permitted )
 {
-	soleVec3 a0 = soleSub( leg->ankleTarget, leg->ballTarget );
-	soleVec3 w = soleSub( leg->hip, leg->ballTarget );
+	soleVec3 a0 = soleSub( leg->ankleTarget, leg->pivotTarget );
+	soleVec3 w = soleSub( leg->hip, leg->pivotTarget );
 	soleVec3 side = soleRotate( leg->footReached, leg->rig->footSide );
 	float ae = soleDot( a0, side );
 	float we = soleDot( w, side );
@@ -159,7 +159,7 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 	best = best.s < -most.s ? ( soleHalf ){ most.c, -most.s } : best;
 	soleQuat roll = soleHalfRotation( side, best );
 	leg->footReached = soleNormalizeQuat( soleMulQuat( roll, leg->footReached ) );
-	leg->ankleGoal = soleAdd( leg->ballTarget, soleRotate( roll, a0 ) );
+	leg->ankleGoal = soleAdd( leg->pivotTarget, soleRotate( roll, a0 ) );
 	leg->out->flags |= (uint32_t)sole_legHeelLifted;
 }
 

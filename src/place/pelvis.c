@@ -84,8 +84,8 @@ static float soleFindCeiling( const solePlaceWork* work, const soleLegWork* leg 
 	float angle = work->settings->leg.heelLift * work->settings->pelvis.heelFirst * free;
 	soleVec3 side = soleRotate( leg->footTarget, leg->rig->footSide );
 	soleQuat roll = soleHalfRotation( side, soleHalfFromAngle( -angle ) );
-	soleVec3 arm = soleRotate( roll, soleSub( leg->ankleTarget, leg->ballTarget ) );
-	return soleMaxF( flat, soleOffsetFor( work, leg, soleAdd( leg->ballTarget, arm ), longest ) );
+	soleVec3 arm = soleRotate( roll, soleSub( leg->ankleTarget, leg->pivotTarget ) );
+	return soleMaxF( flat, soleOffsetFor( work, leg, soleAdd( leg->pivotTarget, arm ), longest ) );
 }
 
 static soleWishes soleGatherWishes( const solePlaceWork* work )

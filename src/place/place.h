@@ -49,13 +49,14 @@ typedef struct soleLegWork
 	soleTransform foot; // the joint that carries the sole
 	soleQuat footParentRotation;
 	soleQuat toeRotation;
-	soleVec3 ankle, heel, ball, toe;              // sole points of the rigid foot
-	soleVec3 forward;                             // horizontal heading of the foot, unit
-	soleVec3 side;                                // forward x up
-	float ankleRise, heelRise, ballRise, toeRise; // over the clip's floor
-	float sunk;                                   // how far the clip itself has the sole under its floor
-	float heelSpeed, ballSpeed;                   // over the ground, with the root's motion
-	soleVec3 ballVelocity, heelVelocity;          // horizontal
+	soleVec3 ankle, heel, ball;          // sole points, the ball carried by the toes
+	soleVec3 pivot;                      // what the heel is raised about: the toe joint, else the ball
+	soleVec3 forward;                    // horizontal heading of the foot, unit
+	soleVec3 side;                       // forward x up
+	float ankleRise, heelRise, ballRise; // over the clip's floor
+	float sunk;                          // how far the clip itself has the sole under its floor
+	float heelSpeed, ballSpeed;          // over the ground, with the root's motion
+	soleVec3 ballVelocity, heelVelocity; // horizontal
 
 	// probe: what the probes were aimed at
 	soleVec3 soleCenter;  // ball of the flat sole, horizontal place
@@ -82,7 +83,7 @@ typedef struct soleLegWork
 	soleQuat image; // rotation from the clip's floor to the plane
 	soleVec3 ankleTarget;
 	soleQuat footTarget;
-	soleVec3 ballTarget; // the rigid foot's ball, about which the heel is raised
+	soleVec3 pivotTarget; // about which the heel is raised
 
 	// leg
 	soleVec3 hip; // with the pelvis moved

@@ -63,8 +63,11 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	    parent == SOLE_NONE ? soleNormalizeQuat( work->frame->root.rotation ) : work->slots[parent].rotation;
 	leg->toeRotation = rig->toeSlot == SOLE_NONE ? soleQuat_Identity() : work->slots[rig->toeSlot].rotation;
 	leg->heel = soleTransformPoint( leg->foot, rig->heel );
-	leg->ball = soleTransformPoint( leg->foot, rig->ball );
-	leg->toe = soleTransformPoint( leg->foot, rig->toe );
+	// The ball stands still with the toes while the heel rises: where the foot has toes, they carry it.
+	soleTransform fore = rig->toeSlot == SOLE_NONE ? leg->foot : work->slots[rig->toeSlot];
+	leg->usable = leg->usable && soleTransform_IsFinite( fore );
+	leg->ball = soleTransformPoint( fore, rig->foreBall );
+	leg->pivot = rig->toeSlot == SOLE_NONE ? leg->ball : fore.translation;
 	soleVec3 ahead = soleRotate( leg->foot.rotation, rig->footForward );
 	// A foot that points straight up or down is headed where its underside or top faces.
 	soleVec3 over = soleRotate( leg->foot.rotation, rig->footUp );
@@ -77,9 +80,8 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	leg->ankleRise = soleDot( soleSub( leg->ankle, work->floor ), work->rootUp );
 	leg->heelRise = soleDot( soleSub( leg->heel, work->floor ), work->rootUp );
 	leg->ballRise = soleDot( soleSub( leg->ball, work->floor ), work->rootUp );
-	leg->toeRise = soleDot( soleSub( leg->toe, work->floor ), work->rootUp );
-	soleVec3 inner = soleTransformPoint( leg->foot, rig->inner );
-	soleVec3 outer = soleTransformPoint( leg->foot, rig->outer );
+	soleVec3 inner = soleTransformPoint( fore, rig->foreInner );
+	soleVec3 outer = soleTransformPoint( fore, rig->foreOuter );
 	float edges = soleMinF( soleDot( inner, work->rootUp ), soleDot( outer, work->rootUp ) );
 	float lowest = soleMinF( edges - soleDot( work->floor, work->rootUp ), soleMinF( leg->heelRise, leg->ballRise ) );
 	leg->sunk = soleMaxF( -lowest, 0.0f );

@@ -53,11 +53,11 @@ void soleSetTargets( solePlaceWork* work )
 		soleQuat upright = soleFromTo( work->rootUp, work->up, leg->forward );
 		leg->image = soleMulQuat( tilt, soleMulQuat( leg->turn, upright ) );
 		soleVec3 ankle = soleAdd( goal, soleRotate( leg->image, soleSub( leg->ankle, q ) ) );
-		soleVec3 ball = soleAdd( goal, soleRotate( leg->image, soleSub( leg->ball, q ) ) );
+		soleVec3 pivot = soleAdd( goal, soleRotate( leg->image, soleSub( leg->pivot, q ) ) );
 		soleQuat foot = soleMulQuat( leg->image, leg->foot.rotation );
 
 		leg->ankleTarget = soleLerp( leg->ankle, ankle, leg->weight );
-		leg->ballTarget = soleLerp( leg->ball, ball, leg->weight );
+		leg->pivotTarget = soleLerp( leg->pivot, pivot, leg->weight );
 		leg->footTarget = soleNlerp( leg->foot.rotation, foot, leg->weight );
 		leg->out->planePoint_w =
 		    soleAdd( soleAtHeight( work, ankle, solePlaneHeight( work, plane, ankle ) ), work->root_w );

@@ -153,10 +153,13 @@ static void soleBakeFoot( const soleRigDef* def, soleRigLeg* leg, soleVec3 ankle
 	leg->footBind = footWorld;
 	leg->toeBind = d->toeCount > 0 ? soleBindWorld( def, d->toes[0] ) : footWorld;
 	leg->heel = soleInvTransformPoint( footWorld, d->sole.heel );
-	leg->ball = soleInvTransformPoint( footWorld, d->sole.ball );
 	leg->toe = soleInvTransformPoint( footWorld, d->sole.toe );
 	leg->inner = soleInvTransformPoint( footWorld, d->sole.inner );
 	leg->outer = soleInvTransformPoint( footWorld, d->sole.outer );
+	leg->foreBall = soleInvTransformPoint( leg->toeBind, d->sole.ball );
+	leg->foreInner = soleInvTransformPoint( leg->toeBind, d->sole.inner );
+	leg->foreOuter = soleInvTransformPoint( leg->toeBind, d->sole.outer );
+	leg->pivot = soleInvTransformPoint( footWorld, d->toeCount > 0 ? leg->toeBind.translation : d->sole.ball );
 
 	// The sole's own plane need not be level in the bind pose (a bind pose may be a stride): up is that of the sole.
 	soleVec3 bodyUp = soleNormalizeOr( def->up, soleVec( 0.0f, 1.0f, 0.0f ) );
