@@ -158,8 +158,8 @@ static toolAxis toolMakeAxis( const toolPlot* plot, bool alongY )
 	axis.to = alongY ? box.y + 34.0 : box.x + box.width - 14.0;
 	if ( !( axis.low < axis.high ) )
 	{
-		axis.low = INFINITY;
-		axis.high = -INFINITY;
+		axis.low = (double)INFINITY;
+		axis.high = -(double)INFINITY;
 		for ( int32_t i = 0; i < plot->seriesCount; ++i )
 		{
 			toolFitRange( plot->series + i, alongY, &axis );

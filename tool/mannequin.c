@@ -238,7 +238,7 @@ static void toolMakeClips( toolModel* model )
 	static const toolClipDef s_clips[] = {
 		{ "idle", toolPoseIdle, tool_idleFrames, 60, false, false },
 		{ "walk", toolPoseWalk, tool_walkFrames, 60, false, false },
-		{ "run", toolPoseRun, tool_runFrames, 60, false, false },
+		{ "run", toolPoseRun, tool_runFrames, 120, false, false },
 		{ "turn", toolPoseTurn, tool_turnFrames, 60, false, true },
 		{ "walk_root", toolPoseWalkRoot, tool_walkFrames, 60, true, false },
 	};

@@ -55,24 +55,25 @@ enum
 
 // Downwards from y = 1.525.
 static const toolRing s_torso[] = {
-	{ 0.000f, 0, -0.018f, 0.046f, 0.050f, 2.0f, S_CHEST, S_NECK, 0.45f, BODY },
-	{ 0.022f, 0, -0.020f, 0.064f, 0.056f, 2.0f, S_CHEST, S_NECK, 0.25f, BODY },
-	{ 0.048f, 0, -0.021f, 0.100f, 0.069f, 2.1f, S_CHEST, S_NECK, 0.08f, BODY },
-	{ 0.082f, 0, -0.018f, 0.142f, 0.086f, 2.2f, S_CHEST, S_CHEST, 0, BODY },
-	{ 0.125f, 0, -0.010f, 0.166f, 0.104f, 2.3f, S_CHEST, S_CHEST, 0, BODY },
-	{ 0.180f, 0, -0.002f, 0.172f, 0.117f, 2.3f, S_CHEST, S_CHEST, 0, BODY },
-	{ 0.240f, 0, -0.002f, 0.162f, 0.116f, 2.3f, S_CHEST, S_CHEST, 0, BODY },
-	{ 0.300f, 0, -0.005f, 0.149f, 0.107f, 2.2f, S_CHEST, S_SPINE, 0.30f, BODY },
-	{ 0.345f, 0, -0.006f, 0.141f, 0.100f, 2.2f, S_SPINE, S_CHEST, 0.35f, DARK },
-	{ 0.385f, 0, -0.006f, 0.136f, 0.096f, 2.2f, S_SPINE, S_CHEST, 0.10f, DARK },
-	{ 0.425f, 0, -0.007f, 0.138f, 0.097f, 2.2f, S_SPINE, S_HIPS, 0.25f, DARK },
-	{ 0.462f, 0, -0.009f, 0.147f, 0.102f, 2.3f, S_HIPS, S_SPINE, 0.35f, BODY },
-	{ 0.510f, 0, -0.013f, 0.163f, 0.112f, 2.4f, S_HIPS, S_SPINE, 0.10f, BODY },
-	{ 0.560f, 0, -0.018f, 0.172f, 0.119f, 2.4f, S_HIPS, S_HIPS, 0, BODY },
-	{ 0.605f, 0, -0.020f, 0.166f, 0.119f, 2.3f, S_HIPS, S_HIPS, 0, BODY },
-	{ 0.645f, 0, -0.018f, 0.136f, 0.108f, 2.1f, S_HIPS, S_HIPS, 0, BODY },
-	{ 0.675f, 0, -0.012f, 0.082f, 0.085f, 2.0f, S_HIPS, S_HIPS, 0, BODY },
-	{ 0.692f, 0, -0.006f, 0.036f, 0.052f, 2.0f, S_HIPS, S_HIPS, 0, BODY },
+	{ 0.000f, 0, -0.018f, 0.0460f, 0.0500f, 2.0f, S_CHEST, S_NECK, 0.45f, BODY },
+	{ 0.022f, 0, -0.020f, 0.0620f, 0.0560f, 2.0f, S_CHEST, S_NECK, 0.25f, BODY },
+	{ 0.046f, 0, -0.021f, 0.0940f, 0.0680f, 2.0f, S_CHEST, S_NECK, 0.08f, BODY },
+	{ 0.078f, 0, -0.018f, 0.1380f, 0.0840f, 2.1f, S_CHEST, S_CHEST, 0.00f, BODY },
+	{ 0.118f, 0, -0.010f, 0.1640f, 0.1020f, 2.2f, S_CHEST, S_CHEST, 0.00f, BODY },
+	{ 0.172f, 0, -0.001f, 0.1730f, 0.1170f, 2.2f, S_CHEST, S_CHEST, 0.00f, BODY },
+	{ 0.230f, 0, 0.001f, 0.1630f, 0.1160f, 2.2f, S_CHEST, S_CHEST, 0.00f, BODY },
+	{ 0.288f, 0, -0.003f, 0.1470f, 0.1070f, 2.1f, S_CHEST, S_SPINE, 0.25f, BODY },
+	{ 0.340f, 0, -0.006f, 0.1340f, 0.0980f, 2.1f, S_SPINE, S_CHEST, 0.40f, BODY },
+	{ 0.372f, 0, -0.007f, 0.1260f, 0.0920f, 2.0f, S_SPINE, S_CHEST, 0.12f, DARK },
+	{ 0.396f, 0, -0.007f, 0.1250f, 0.0910f, 2.0f, S_SPINE, S_HIPS, 0.10f, DARK },
+	{ 0.420f, 0, -0.008f, 0.1300f, 0.0940f, 2.0f, S_SPINE, S_HIPS, 0.35f, BODY },
+	{ 0.456f, 0, -0.010f, 0.1440f, 0.1020f, 2.1f, S_HIPS, S_SPINE, 0.35f, BODY },
+	{ 0.505f, 0, -0.014f, 0.1610f, 0.1130f, 2.2f, S_HIPS, S_SPINE, 0.10f, BODY },
+	{ 0.556f, 0, -0.018f, 0.1740f, 0.1220f, 2.3f, S_HIPS, S_HIPS, 0.00f, BODY },
+	{ 0.606f, 0, -0.020f, 0.1760f, 0.1250f, 2.3f, S_HIPS, S_HIPS, 0.00f, BODY },
+	{ 0.645f, 0, -0.018f, 0.1600f, 0.1170f, 2.2f, S_HIPS, S_HIPS, 0.00f, BODY },
+	{ 0.670f, 0, -0.013f, 0.1180f, 0.0980f, 2.1f, S_HIPS, S_HIPS, 0.00f, BODY },
+	{ 0.690f, 0, -0.006f, 0.0600f, 0.0640f, 2.0f, S_HIPS, S_HIPS, 0.00f, BODY },
 };
 
 // Downwards from y = 1.590: the neck inside head and chest.
@@ -100,9 +101,9 @@ static const toolRing s_head[] = {
 // Along the arm, from 0.055 m before the shoulder joint. The shoulder's ball, elbow and wrist are dark.
 static const toolRing s_arm[] = {
 	{ 0.000f, -0.010f, 0, 0.030f, 0.034f, 2.0f, S_SHOULDER, S_UPPERARM, 0.3f, DARK },
-	{ 0.016f, -0.006f, 0, 0.051f, 0.053f, 2.0f, S_UPPERARM, S_SHOULDER, 0.5f, DARK },
-	{ 0.042f, -0.002f, 0, 0.060f, 0.061f, 2.0f, S_UPPERARM, S_SHOULDER, 0.2f, DARK },
-	{ 0.072f, 0.000f, 0, 0.059f, 0.060f, 2.0f, S_UPPERARM, S_UPPERARM, 0, BODY },
+	{ 0.016f, -0.006f, 0, 0.047f, 0.050f, 2.0f, S_UPPERARM, S_SHOULDER, 0.5f, DARK },
+	{ 0.042f, -0.002f, 0, 0.0565f, 0.059f, 2.0f, S_UPPERARM, S_SHOULDER, 0.2f, DARK },
+	{ 0.072f, 0.000f, 0, 0.0560f, 0.058f, 2.0f, S_UPPERARM, S_UPPERARM, 0, BODY },
 	{ 0.110f, 0.000f, 0, 0.053f, 0.055f, 2.0f, S_UPPERARM, S_UPPERARM, 0, BODY },
 	{ 0.170f, 0.000f, 0.004f, 0.047f, 0.051f, 2.0f, S_UPPERARM, S_UPPERARM, 0, BODY },
 	{ 0.230f, 0.000f, 0.003f, 0.043f, 0.047f, 2.0f, S_UPPERARM, S_UPPERARM, 0, BODY },
@@ -135,10 +136,10 @@ static const toolRing s_thumb[] = {
 
 // Downwards from y = 0.975 at x = 0.09: the top is hidden in the pelvis.
 static const toolRing s_leg[] = {
-	{ 0.000f, -0.012f, -0.006f, 0.052f, 0.070f, 2.0f, S_HIPS, S_THIGH, 0.30f, BODY },
-	{ 0.030f, -0.006f, -0.006f, 0.074f, 0.092f, 2.0f, S_HIPS, S_THIGH, 0.50f, BODY },
-	{ 0.070f, -0.002f, -0.006f, 0.083f, 0.099f, 2.1f, S_THIGH, S_HIPS, 0.30f, BODY },
-	{ 0.115f, -0.002f, -0.004f, 0.084f, 0.097f, 2.1f, S_THIGH, S_HIPS, 0.10f, BODY },
+	{ 0.020f, -0.012f, -0.006f, 0.044f, 0.060f, 2.0f, S_HIPS, S_THIGH, 0.30f, BODY },
+	{ 0.045f, -0.008f, -0.006f, 0.062f, 0.079f, 2.0f, S_HIPS, S_THIGH, 0.50f, BODY },
+	{ 0.080f, -0.005f, -0.006f, 0.075f, 0.091f, 2.1f, S_THIGH, S_HIPS, 0.30f, BODY },
+	{ 0.120f, -0.003f, -0.004f, 0.080f, 0.094f, 2.1f, S_THIGH, S_HIPS, 0.10f, BODY },
 	{ 0.175f, 0.000f, 0.000f, 0.079f, 0.089f, 2.0f, S_THIGH, S_THIGH, 0, BODY },
 	{ 0.250f, 0.001f, 0.005f, 0.072f, 0.080f, 2.0f, S_THIGH, S_THIGH, 0, BODY },
 	{ 0.325f, 0.001f, 0.008f, 0.064f, 0.070f, 2.0f, S_THIGH, S_THIGH, 0, BODY },

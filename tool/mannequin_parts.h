@@ -134,7 +134,7 @@ void toolPoseTurn( double phase, toolBodyPose* body );
 enum
 {
 	tool_walkFrames = 64,
-	tool_runFrames = 43,
+	tool_runFrames = 86,
 	tool_idleFrames = 240,
 	tool_turnFrames = 132
 };
