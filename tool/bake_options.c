@@ -24,6 +24,7 @@ enum
 	tool_optionFps,
 	tool_optionMethod,
 	tool_optionSettings,
+	tool_optionPlots,
 	tool_optionPrintSettings,
 	tool_optionScale,
 	tool_optionWithGround,
@@ -44,6 +45,7 @@ static const struct option toolOptions[] = {
 	{ "fps", required_argument, NULL, tool_optionFps },
 	{ "method", required_argument, NULL, tool_optionMethod },
 	{ "settings", required_argument, NULL, tool_optionSettings },
+	{ "plots", required_argument, NULL, tool_optionPlots },
 	{ "print-settings", no_argument, NULL, tool_optionPrintSettings },
 	{ "scale", required_argument, NULL, tool_optionScale },
 	{ "with-ground", no_argument, NULL, tool_optionWithGround },
@@ -76,6 +78,7 @@ static const char toolHelp[] =
     "  --settings FILE     JSON, as --print-settings writes it; what it does not name stays\n"
     "  --print-settings    print the settings that would be used, and stop\n"
     "  --scale X           make the character X times as large; 'auto': human sized by its legs (default 1)\n"
+    "  --plots FOLDER      write SVG pictures there: sole heights of each foot, and the character on its way\n"
     "  --with-ground       add the ground to the scene\n"
     "  --json              print what was done as JSON\n"
     "\n"
@@ -222,6 +225,9 @@ static const char* toolReadOption( int option, const char* text, toolBakeOptions
 		return toolReadMethod( text, options );
 	case tool_optionSettings:
 		options->settingsFile = text;
+		return NULL;
+	case tool_optionPlots:
+		options->plots = text;
 		return NULL;
 	case tool_optionPrintSettings:
 		options->printSettings = true;

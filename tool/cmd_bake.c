@@ -5,6 +5,7 @@
 #include "command.h"
 #include "evaluate.h"
 #include "figures_text.h"
+#include "plots.h"
 
 #include <json-c/json.h>
 #include <math.h>
@@ -153,6 +154,7 @@ typedef struct toolBakedTake
 	const char* method;
 	soleFigures figures;
 	soleFigures reference; // of the clip on flat ground, feet untouched
+	toolBakeResult result;
 } toolBakedTake;
 
 static bool toolMeasureBake(
@@ -258,8 +260,8 @@ static bool toolCheckNameFree( const toolBakeJob* job, const char* clip, const c
 static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const toolTravel* travel,
     const toolBakeDef* def, toolBakedTake* taken, toolError* error )
 {
-	toolBakeResult result;
-	if ( toolBake( &job->character, bound, travel, job->ground.ground, def, &result, error ) == false )
+	toolBakeResult* result = &taken->result;
+	if ( toolBake( &job->character, bound, travel, job->ground.ground, def, result, error ) == false )
 	{
 		return false;
 	}
@@ -267,14 +269,26 @@ static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const 
 	job->made = toolGrow( job->made, (size_t)job->madeCount + 1, sizeof *job->made );
 	toolClip* clip = job->made + job->madeCount++;
 	char* clipsFile = toolNameClipsFile( &job->options );
-	toolMakeBakedClip( &job->character, bound, travel, taken->method, clipsFile, &result, clip );
+	toolMakeBakedClip( &job->character, bound, travel, taken->method, clipsFile, result, clip );
 	free( clipsFile );
-	bool good = toolMeasureBake( job, &result, taken, error );
+	bool good = toolMeasureBake( job, result, taken, error );
 	if ( good )
 	{
-		toolReportTake( job, clip->name, &result, taken );
+		toolReportTake( job, clip->name, result, taken );
 	}
-	toolFreeBakeResult( &result );
+	return good;
+}
+
+static bool toolPlotTakes( const toolBakeJob* job, const toolBakedTake* takes, toolError* error )
+{
+	int32_t count = job->options.methodCount;
+	toolPlotTake* plots = toolAlloc( (size_t)count, sizeof *plots );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		plots[i] = ( toolPlotTake ){ takes[i].method, &takes[i].result };
+	}
+	bool good = toolWritePlots( job->options.plots, &job->character, &job->ground, job->terrain, plots, count, error );
+	free( plots );
 	return good;
 }
 
@@ -304,6 +318,11 @@ static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolE
 	if ( good && options->json == false )
 	{
 		toolPrintTakes( job, takes );
+	}
+	good = good && ( options->plots == NULL || toolPlotTakes( job, takes, error ) );
+	for ( int32_t i = 0; i < options->methodCount; ++i )
+	{
+		toolFreeBakeResult( &takes[i].result );
 	}
 	free( takes );
 	return good;

@@ -13,7 +13,7 @@
 
 #define NEAREST 0.05f      // m before the eye
 #define GROUND_PIECE 0.25f // m, longest edge
-#define FINE_PIECE 0.07f
+#define FINE_PIECE 0.12f
 #define FINE_MARGIN 0.12f // m around a body
 #define GROUND_BEHIND 0.03f
 #define LARGEST_FACES 400000
@@ -242,23 +242,6 @@ static int toolCompareFaces( const void* a, const void* b )
 	return p->order < q->order ? -1 : 1;
 }
 
-static void toolWriteFace( toolSvg* svg, const toolFace* face )
-{
-	// A thin line of the same colour closes the seams that antialiasing leaves between neighbours; where a face can be
-	// seen through, it would show.
-	char color[8];
-	snprintf( color, sizeof color, "#%02x%02x%02x", face->color[0], face->color[1], face->color[2] );
-	toolSvgPrint( svg, "<path d=\"M%.1f %.1fL%.1f %.1fL%.1f %.1fz\" fill=\"%s\"", toolSvgNumber( (double)face->x[0] ),
-	    toolSvgNumber( (double)face->y[0] ), toolSvgNumber( (double)face->x[1] ), toolSvgNumber( (double)face->y[1] ),
-	    toolSvgNumber( (double)face->x[2] ), toolSvgNumber( (double)face->y[2] ), color );
-	if ( face->opacity < 1.0f )
-	{
-		toolSvgPrint( svg, " fill-opacity=\"%.2f\"/>\n", (double)face->opacity );
-		return;
-	}
-	toolSvgPrint( svg, " stroke=\"%s\"/>\n", color );
-}
-
 static bool toolFaceInBox( const toolFace* face, const toolBox* box )
 {
 	float left = soleMinF( face->x[0], soleMinF( face->x[1], face->x[2] ) );
@@ -267,6 +250,47 @@ static bool toolFaceInBox( const toolFace* face, const toolBox* box )
 	float bottom = soleMaxF( face->y[0], soleMaxF( face->y[1], face->y[2] ) );
 	return (double)right >= box->x && (double)left <= box->x + box->width && (double)bottom >= box->y &&
 	    (double)top <= box->y + box->height;
+}
+
+static bool toolSameInk( const toolFace* a, const toolFace* b )
+{
+	return memcmp( a->color, b->color, sizeof a->color ) == 0 && a->opacity >= 1.0f && b->opacity >= 1.0f;
+}
+
+static int toolTenths( float x )
+{
+	return (int)lround( 10.0 * toolSvgNumber( (double)x ) );
+}
+
+/// Faces of one colour that follow one another make one path; in tenths of a pixel, since there are many.
+static void toolWriteFaces( toolSvg* svg, const toolFace* faces, int32_t count, const toolBox* box )
+{
+	const toolFace* open = NULL;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		const toolFace* face = faces + i;
+		if ( toolFaceInBox( face, box ) == false )
+		{
+			continue;
+		}
+		if ( open == NULL || toolSameInk( open, face ) == false )
+		{
+			// A thin line of the same colour closes the seams that antialiasing leaves between neighbours; where a face
+			// can be seen through, it would show.
+			char color[8];
+			snprintf( color, sizeof color, "#%02x%02x%02x", face->color[0], face->color[1], face->color[2] );
+			toolSvgPrint( svg, "%s<path fill=\"%s\" ", open != NULL ? "\"/>\n" : "", color );
+			face->opacity < 1.0f ? toolSvgPrint( svg, "fill-opacity=\"%.2f\"", (double)face->opacity )
+			                     : toolSvgPrint( svg, "stroke=\"%s\"", color );
+			toolSvgPrint( svg, " d=\"" );
+			open = face;
+		}
+		int x = toolTenths( face->x[0] ), y = toolTenths( face->y[0] );
+		toolSvgPrint( svg, "M%d %dl%d %d", x, y, toolTenths( face->x[1] ) - x, toolTenths( face->y[1] ) - y );
+		toolSvgPrint( svg, " %d %dz", toolTenths( face->x[2] ) - toolTenths( face->x[1] ),
+		    toolTenths( face->y[2] ) - toolTenths( face->y[1] ) );
+	}
+	toolSvgPrint( svg, "%s", open != NULL ? "\"/>\n" : "" );
 }
 
 void toolSvgScene( toolSvg* svg, const toolSceneView* view )
@@ -290,16 +314,10 @@ void toolSvgScene( toolSvg* svg, const toolSceneView* view )
 	int32_t id = toolSvgNewId( svg );
 	toolSvgPrint( svg,
 	    "<clipPath id=\"view%d\"><rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/></clipPath>\n"
-	    "<g clip-path=\"url(#view%d)\" stroke-width=\"0.6\" stroke-linejoin=\"round\">\n",
+	    "<g clip-path=\"url(#view%d)\"><g transform=\"scale(0.1)\" stroke-width=\"6\" stroke-linejoin=\"round\">\n",
 	    (int)id, view->box.x, view->box.y, view->box.width, view->box.height, (int)id );
-	for ( int32_t i = 0; i < painter.faceCount; ++i )
-	{
-		if ( toolFaceInBox( painter.faces + i, &view->box ) )
-		{
-			toolWriteFace( svg, painter.faces + i );
-		}
-	}
-	toolSvgPrint( svg, "</g>\n" );
+	toolWriteFaces( svg, painter.faces, painter.faceCount, &view->box );
+	toolSvgPrint( svg, "</g></g>\n" );
 	free( painter.faces );
 	free( painter.lows );
 	free( painter.highs );
