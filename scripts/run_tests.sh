@@ -46,6 +46,17 @@ sum()
 	sed -n "s/^\[ *$1 *\] \([0-9]*\) test(s).*/\1/p" "$2" | awk '{ n += $1 } END { print n + 0 }'
 }
 
+# What a failing program said, but for the tests that passed. A leak report can have thousands of lines.
+showFailures()
+{
+	local said
+	said=$( grep -av '^\[ \(RUN \|      OK\) ' "$1" || true )
+	head -n 60 <<< "$said"
+	if [ "$( wc -l <<< "$said" )" -gt 60 ]; then
+		echo "... the rest is in ${1#"$PWD"/}"
+	fi
+}
+
 passed=0 failed=0 skipped=0
 for program in "${programs[@]}"; do
 	log=$logs/$( basename "$program" ).txt
@@ -62,7 +73,7 @@ for program in "${programs[@]}"; do
 	fi
 	if [ "$f" -gt 0 ]; then
 		echo "---- $program"
-		grep -v '^\[ \(RUN \|      OK\) ' "$log" || true
+		showFailures "$log"
 	fi
 	if [ "$s" -gt 0 ]; then
 		grep -a 'left out' "$log" | sort -u || true
