@@ -128,7 +128,8 @@ static float soleChooseOffset( soleWishes wishes )
 	{
 		return 0.0f;
 	}
-	float lowest = soleMinF( wishes.lowestWish, wishes.lowestCeiling );
+	// Legs that have little to say have their wishes widened upwards: the mean is never below the lowest.
+	float lowest = soleMinF( soleMinF( wishes.lowestWish, wishes.meanWish ), wishes.lowestCeiling );
 	float m = soleMaxF( wishes.meanWish - lowest, 0.0f );
 	float most = wishes.lowestCeiling - lowest;
 	return m + most > 1e-9f ? lowest + m * most / ( m + most ) : lowest;
