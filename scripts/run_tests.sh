@@ -11,7 +11,7 @@ logs=$PWD/build/test-logs/$preset
 rm -rf "$logs"
 mkdir -p "$logs"
 
-if ! { cmake --preset "$preset" && cmake --build "$build"; } > "$logs/build.txt" 2>&1; then
+if ! { cmake --preset "$preset" && cmake --build "$build" -- -k 0; } > "$logs/build.txt" 2>&1; then
 	cat "$logs/build.txt"
 	echo "$preset: the build failed"
 	echo "0 1 0" > "$logs/count"
