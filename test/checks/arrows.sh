@@ -58,7 +58,8 @@ for folder in src/*/; do
 	allowed="$part${uses[$part]:+|${uses[$part]}}"
 	for file in $( sources "$folder" ); do
 		for name in $( includes "$file" ); do
-			[[ -f include/$name || $name =~ ^($allowed)/ ]] || complain "$file" "$name" "src/$part may use: $allowed"
+			[[ -f include/$name || -f $( dirname "$file" )/$name || $name =~ ^($allowed)/ ]] ||
+				complain "$file" "$name" "src/$part may use: $allowed"
 		done
 	done
 done

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Links the library and an inline function of its headers, and compares their versions.
+// Links calls of the library and an inline function of its headers, and compares their versions.
 #include "sole/detect.h"
 #include "sole/ground.h"
 #include "sole/measure.h"
@@ -13,6 +13,8 @@ int main( void )
 	bool sameVersion = version.major == SOLE_VERSION_MAJOR && version.minor == SOLE_VERSION_MINOR &&
 	    version.patch == SOLE_VERSION_PATCH;
 	bool length = soleLength( soleVec( 3.0f, 4.0f, 0.0f ) ) == 5.0f;
+	soleSettings settings = soleDefaultSettings();
+	bool filled = settings.internalValue == SOLE_COOKIE;
 	printf( "consumer: sole %d.%d.%d\n", version.major, version.minor, version.patch );
-	return sameVersion && length ? 0 : 1;
+	return sameVersion && length && filled ? 0 : 1;
 }
