@@ -131,7 +131,7 @@ static double toolEvalWave( const toolWave* wave, double phase )
 	    wave->second * cos( 4.0 * TOOL_PI * ( phase - wave->secondPeak ) );
 }
 
-/// Waves of angles that change sign with the side are those of the left; amplitude times the cosine.
+/// In radians.
 static float toolWaveAngle( const toolWave* wave, double phase )
 {
 	return (float)toolRadians( toolEvalWave( wave, phase ) );

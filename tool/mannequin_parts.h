@@ -39,9 +39,6 @@ enum
 #define TOOL_ANKLE_HEIGHT 0.085f
 #define TOOL_TOE_HEIGHT 0.028f
 
-#define TOOL_THIGH_LENGTH 0.43f
-#define TOOL_SHIN_LENGTH 0.42f
-
 /// How far the arms of the rest pose point below the horizontal, rad.
 #define TOOL_ARM_DROP 0.90f
 
