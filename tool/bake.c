@@ -152,8 +152,9 @@ bool toolBake( const toolCharacter* character, const toolBoundClip* bound, const
 	}
 	if ( result->walk.frameCount > MOST_TRANSFORMS / result->jointCount )
 	{
-		toolFail( error, "clip '%s': %d frames of %d nodes are too many to hold: bake a shorter way or at a lower rate",
-		    bound->clip->name, result->walk.frameCount, result->jointCount );
+		toolFail( error,
+		    "%s: %d frames of %d nodes over it are too many to hold: bake a shorter way or at a lower rate",
+		    def->groundName, result->walk.frameCount, result->jointCount );
 		toolFreeBakeResult( result );
 		return false;
 	}

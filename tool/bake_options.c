@@ -102,6 +102,7 @@ static bool toolReadPath( const char* text, toolBakeOptions* options )
 {
 	char* copy = toolCopyString( text );
 	bool good = true;
+	bool leads = false;
 	options->pathCount = 0;
 	for ( char* word = strtok( copy, " \t\n;" ); word != NULL && good; word = strtok( NULL, " \t\n;" ) )
 	{
@@ -111,11 +112,13 @@ static bool toolReadPath( const char* text, toolBakeOptions* options )
 		if ( good )
 		{
 			options->path = toolGrow( options->path, (size_t)options->pathCount + 1, sizeof *options->path );
-			options->path[options->pathCount++] = toolMakePlace( point, count );
+			toolPlace* place = options->path + options->pathCount++;
+			*place = toolMakePlace( point, count );
+			leads = leads || place->x != options->path[0].x || place->z != options->path[0].z;
 		}
 	}
 	free( copy );
-	return good && options->pathCount >= 2;
+	return good && leads;
 }
 
 // A number within limits.

@@ -172,11 +172,11 @@ static bool toolMeasureBake(
 	toolTake take;
 	if ( toolMakeTake( &job->character, &def, &take, error ) == false )
 	{
-		return false;
+		return toolFailIn( error, job->options.character );
 	}
 	bool good = toolMeasureTake( &job->character, &take, job->terrain, &taken->figures, &taken->reference, error );
 	toolFreeTake( &take );
-	return good;
+	return good || toolFailIn( error, job->options.character );
 }
 
 static void toolReportTake(
@@ -350,10 +350,9 @@ static bool toolBakeClips( toolBakeJob* job, toolError* error )
 		}
 		toolProgress( "baking", (double)i / (double)count );
 		toolBoundClip bound;
-		toolError inner = { { 0 } };
-		if ( toolBindClip( &job->character, model, index, &bound, &inner ) == false )
+		if ( toolBindClip( &job->character, model, index, &bound, error ) == false )
 		{
-			return toolFail( error, "%s: %s", file, inner.text );
+			return toolFailIn( error, file );
 		}
 		bool good = toolBakeMethods( job, &bound, error );
 		toolFreeBoundClip( &bound );

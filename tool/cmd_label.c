@@ -191,7 +191,7 @@ static bool toolLabelClip( const toolCharacter* character, int32_t clip, struct 
 }
 
 /// All clips but baked ones; a clip that can't be labelled is told of and passed over.
-static bool toolLabelAll( const toolCharacter* character, struct json_object* list )
+static bool toolLabelAll( const toolCharacter* character, const char* file, struct json_object* list )
 {
 	bool any = false;
 	for ( int32_t i = 0; i < character->model->clipCount; ++i )
@@ -208,7 +208,7 @@ static bool toolLabelAll( const toolCharacter* character, struct json_object* li
 		}
 		else
 		{
-			fprintf( stderr, "sole: left out: %s\n", error.text );
+			fprintf( stderr, "sole: %s: left out: %s\n", file, error.text );
 		}
 		toolProgress( "label", (double)( i + 1 ) / (double)character->model->clipCount );
 	}
@@ -228,13 +228,13 @@ static bool toolLabelFile( const char* file, const char* clipName, double scale,
 	bool good = toolMakeCharacter( model, file, (float)scale, &character, error );
 	if ( good && clipName == NULL )
 	{
-		good = toolLabelAll( &character, list ) ||
+		good = toolLabelAll( &character, file, list ) ||
 		    toolFail( error, "%s: no clip can be labelled: give one with clips", file );
 	}
 	else if ( good )
 	{
 		int32_t clip = toolFindClip( model, clipName );
-		good = clip != SOLE_NONE ? toolLabelClip( &character, clip, list, error )
+		good = clip != SOLE_NONE ? toolLabelClip( &character, clip, list, error ) || toolFailIn( error, file )
 		                         : toolFail( error, "%s: has no clip '%s': see 'sole inspect'", file, clipName );
 	}
 	if ( good && json )

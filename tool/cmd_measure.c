@@ -118,20 +118,34 @@ static bool toolMakeBakedRun(
 		    options->file, info->clip, options->clip );
 	}
 	snprintf( run->method, sizeof run->method, "%s", info->method );
-	return toolBindClip( &run->character, model, base, &run->bound, error ) &&
+	bool good = toolBindClip( &run->character, model, base, &run->bound, error ) &&
 	    toolRebuildTake( &run->character, clip, info, &run->bound, &run->take, error );
+	return good || toolFailIn( error, options->file );
 }
 
-static bool toolMakePlainRun( int32_t clip, toolMeasureRun* run, toolError* error )
+static bool toolMakePlainRun( const toolMeasureOptions* options, int32_t clip, toolMeasureRun* run, toolError* error )
 {
 	const toolModel* model = toolGltf_GetModel( run->gltf );
 	if ( toolBindClip( &run->character, model, clip, &run->bound, error ) == false )
 	{
-		return false;
+		return toolFailIn( error, options->file );
 	}
 	toolTravel travel = toolFindTravel( &run->character, &run->bound );
 	double rounds = travel.loops ? PLAIN_ROUNDS : 1.0;
-	return toolMakeClipTake( &run->character, &run->bound, &travel, DEFAULT_FPS, rounds, &run->take, error );
+	return toolMakeClipTake( &run->character, &run->bound, &travel, DEFAULT_FPS, rounds, &run->take, error ) ||
+	    toolFailIn( error, options->file );
+}
+
+static bool toolTakeReference( const toolMeasureOptions* options, toolMeasureRun* run, toolError* error )
+{
+	int32_t reference = SOLE_NONE;
+	const toolModel* model = toolGltf_GetModel( run->gltf );
+	if ( options->reference == NULL )
+	{
+		return true;
+	}
+	return toolFindNamedClip( model, options->file, options->reference, &reference, error ) &&
+	    ( toolReplaceReference( &run->character, reference, &run->take, error ) || toolFailIn( error, options->file ) );
 }
 
 static bool toolPrepareMeasure( const toolMeasureOptions* options, toolMeasureRun* run, toolError* error )
@@ -153,21 +167,10 @@ static bool toolPrepareMeasure( const toolMeasureOptions* options, toolMeasureRu
 	{
 		return false;
 	}
-	bool made = baked ? toolMakeBakedRun( options, clip, &info, run, error ) : toolMakePlainRun( clip, run, error );
-	if ( made == false )
-	{
-		return false;
-	}
-	if ( options->reference != NULL )
-	{
-		int32_t reference = SOLE_NONE;
-		if ( toolFindNamedClip( model, options->file, options->reference, &reference, error ) == false ||
-		    toolReplaceReference( &run->character, reference, &run->take, error ) == false )
-		{
-			return false;
-		}
-	}
-	if ( toolOpenGround( options->ground, &run->ground, error ) == false )
+	bool made =
+	    baked ? toolMakeBakedRun( options, clip, &info, run, error ) : toolMakePlainRun( options, clip, run, error );
+	if ( made == false || toolTakeReference( options, run, error ) == false ||
+	    toolOpenGround( options->ground, &run->ground, error ) == false )
 	{
 		return false;
 	}
@@ -287,7 +290,8 @@ int toolRunMeasure( int argc, char** argv )
 	toolError error = { { 0 } };
 	soleFigures* figures = toolAlloc( 2, sizeof *figures );
 	bool good = toolPrepareMeasure( &options, &run, &error ) &&
-	    toolMeasureTake( &run.character, &run.take, run.terrain, figures, figures + 1, &error );
+	    ( toolMeasureTake( &run.character, &run.take, run.terrain, figures, figures + 1, &error ) ||
+	        toolFailIn( &error, options.file ) );
 	if ( good )
 	{
 		toolPrintMeasure( &options, &run, figures, figures + 1 );

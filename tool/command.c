@@ -5,9 +5,17 @@
 #include <math.h>
 #include <stdlib.h>
 
+#define FURTHEST_PLACE 1e7 // m
+
 int toolReportFailure( const toolError* error )
 {
-	fprintf( stderr, "sole: %s\n", error->text );
+	// What a file puts into a message stays on its one line.
+	toolError clean = *error;
+	for ( char* c = clean.text; *c != 0; ++c )
+	{
+		*c = (unsigned char)*c < 0x20 || *c == 0x7f ? '?' : *c;
+	}
+	fprintf( stderr, "sole: %s\n", clean.text );
 	return tool_failed;
 }
 
@@ -36,7 +44,7 @@ int toolParsePoint( const char* text, double point[3] )
 	{
 		char* end = NULL;
 		point[count] = strtod( text, &end );
-		if ( end == text || isfinite( point[count] ) == 0 )
+		if ( end == text || !( fabs( point[count] ) <= FURTHEST_PLACE ) )
 		{
 			return 0;
 		}

@@ -20,7 +20,7 @@ int toolReportUsage( const char* command, const char* what );
 
 /// A finite number from the command line; false where the text is none.
 bool toolParseNumber( const char* text, double* number );
-/// "x,z" or "x,y,z". @return how many numbers there were, or 0.
+/// "x,z" or "x,y,z", none beyond 10,000 km. @return how many numbers there were, or 0.
 int toolParsePoint( const char* text, double point[3] );
 
 int toolRunSample( int argc, char** argv );

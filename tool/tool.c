@@ -24,6 +24,12 @@ bool toolFail( toolError* error, const char* format, ... )
 	return false;
 }
 
+bool toolFailIn( toolError* error, const char* path )
+{
+	toolError inner = *error;
+	return toolFail( error, "%s: %s", path, inner.text );
+}
+
 static void toolDieOfMemory( void )
 {
 	fputs( "sole: out of memory: close other programs or use a smaller file\n", stderr );

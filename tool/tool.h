@@ -19,6 +19,8 @@ bool toolFail( toolError* error, const char* format, ... )
     __attribute__( ( format( printf, 2, 3 ) ) )
 #endif
     ;
+/// Puts the file that it is about before an error that does not name one; false.
+bool toolFailIn( toolError* error, const char* path );
 
 /// Zeroed memory for count items; ends the program with one line where there is none. Never called with sizes that a
 /// file names but its length does not bear out.

@@ -410,8 +410,8 @@ bool toolMakeWalk( const toolWalkDef* def, toolWalk* walk, toolError* error )
 	}
 	else
 	{
-		toolFail( error, "the walk would take %.0f s at %.0f Hz: keep it below an hour and %d frames", duration,
-		    def->fps, TOOL_MAX_FRAMES );
+		toolFail( error, "%s: a walk of %.0f s over it at %g Hz is too long: keep it below an hour and %d frames",
+		    def->groundName, duration, def->fps, TOOL_MAX_FRAMES );
 	}
 	free( walker.places );
 	free( walker.lengths );
