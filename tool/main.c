@@ -56,6 +56,6 @@ int main( int argc, char** argv )
 			return command->run( argc - 1, argv + 1 );
 		}
 	}
-	fprintf( stderr, "sole: there is no command '%s': see 'sole --help'\n", argv[1] );
+	fprintf( stderr, "sole: %s: there is no such command: see 'sole --help'\n", argv[1] );
 	return tool_wrongUsage;
 }
