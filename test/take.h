@@ -109,7 +109,7 @@ static inline void testBakeTake( const testBake* bake, testTake* take )
 {
 	toolError error = { { 0 } };
 	soleSettings settings = soleDefaultSettings();
-	toolPlace start = { bake->x, NAN, bake->z };
+	toolPlace start = { bake->x, (double)NAN, bake->z };
 	toolBakeDef def = toolDefaultBakeDef();
 	def.method = toolFindMethod( bake->method != NULL ? bake->method : "sole" );
 	def.settings = &settings;

@@ -107,7 +107,7 @@ static void testWritten( testTake* take, const char* method, double tolerance )
 		assert_true( clip.channels[i].times[clip.channels[i].keyCount - 1] <= clip.end + 1e-4f );
 	}
 	// The file's model is renewed by appending: the character's own is kept by reading anew.
-	toolGltf* file;
+	toolGltf* file = NULL;
 	if ( toolWriteGltf( take->gltf, path, &error ) == false || toolReadGltf( path, &file, &error ) == false ||
 	    toolGltf_AppendClip( file, &clip, &error ) == false || toolWriteGltf( file, path, &error ) == false )
 	{

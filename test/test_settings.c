@@ -40,7 +40,7 @@ static void settingClampsAndIgnoresWhatIsNoNumber( void** state )
 	const soleSettingInfo* infos = soleGetSettingInfos( &count );
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		soleSettings_Set( &settings, infos + i, NAN );
+		soleSettings_Set( &settings, infos + i, (double)NAN );
 		assert_float_equal( soleSettings_Get( &settings, infos + i ), infos[i].defaultValue, 1e-6 );
 		soleSettings_Set( &settings, infos + i, -1e9 );
 		assert_float_equal( soleSettings_Get( &settings, infos + i ), infos[i].minimum, 1e-6 );

@@ -94,7 +94,7 @@ static bool toolOpenClips(
 		return true;
 	}
 	// A path in a file is taken from where that file is.
-	const char* slash = strrchr( options->file, '/' );
+	const char* slash = options->file != NULL ? strrchr( options->file, '/' ) : NULL;
 	bool beside = options->clips == NULL && path[0] != '/' && slash != NULL;
 	char* full =
 	    beside ? toolFormat( "%.*s/%s", (int)( slash - options->file ), options->file, path ) : toolCopyString( path );

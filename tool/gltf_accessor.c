@@ -305,9 +305,9 @@ static bool toolOpenAccessor( toolGltfReader* reader, int32_t index, const char*
 bool toolReadFloats( toolGltfReader* reader, int32_t accessor, const char* owner, toolAccessorUse use, bool asFractions,
     float** values, int32_t* count )
 {
-	toolElements elements;
-	toolElements indices;
-	toolElements changed;
+	toolElements elements = { 0 };
+	toolElements indices = { 0 };
+	toolElements changed = { 0 };
 	if ( toolOpenAccessor( reader, accessor, owner, use, &elements, &indices, &changed ) == false )
 	{
 		return false;
@@ -339,9 +339,9 @@ bool toolReadFloats( toolGltfReader* reader, int32_t accessor, const char* owner
 bool toolReadUints( toolGltfReader* reader, int32_t accessor, const char* owner, toolAccessorUse use, uint32_t** values,
     int32_t* count )
 {
-	toolElements elements;
-	toolElements indices;
-	toolElements changed;
+	toolElements elements = { 0 };
+	toolElements indices = { 0 };
+	toolElements changed = { 0 };
 	if ( toolOpenAccessor( reader, accessor, owner, use, &elements, &indices, &changed ) == false )
 	{
 		return false;

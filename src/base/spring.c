@@ -11,7 +11,7 @@
 #include "sole/sole.h"
 
 #define HALF_PHASE 1.678347f // y t at which half of a resting error is left
-#define SETTLED 20.0f // y t beyond which nothing is left
+#define SETTLED 20.0f        // y t beyond which nothing is left
 
 soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, float halfLife, float timeStep )
 {

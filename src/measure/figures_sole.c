@@ -7,10 +7,10 @@
 
 #include <math.h>
 
-#define CONTACT_BELOW -0.005 // m: gaps from here
-#define CONTACT_ABOVE 0.010  // to here count as contact
-#define LEAST_STANCE 0.1     // s: a stance has to last longer to have a drift
-#define SWING_MARGIN 0.05    // s after lift and before strike that are not mid swing
+#define CONTACT_BELOW ( -0.005 ) // m: gaps from here
+#define CONTACT_ABOVE 0.010      // to here count as contact
+#define LEAST_STANCE 0.1         // s: a stance has to last longer to have a drift
+#define SWING_MARGIN 0.05        // s after lift and before strike that are not mid swing
 
 /// Does a labelled frame speak of this point?
 static bool solePointCounts( uint32_t label, bool fore )

@@ -126,7 +126,7 @@ static soleVec3 solePlaceOf( const solePlaceWork* work, const soleLegWork* leg, 
 	return soleHorizontal( work, soleAdd( leg->anchorGoal, arm ) );
 }
 
-static void soleFree( solePlaceWork* work, soleLegWork* leg )
+static void soleGoFree( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	soleSetAnchor( work, leg, false );
@@ -244,7 +244,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	}
 	else
 	{
-		soleFree( work, leg );
+		soleGoFree( work, leg );
 		state->flags &= contact ? ~0u : ~(uint32_t)sole_stateBarred;
 		if ( possible && settled && ( state->flags & sole_stateBarred ) == 0 )
 		{

@@ -25,7 +25,7 @@
 // ------------------------------------------------------------------------------------------------------- two bones
 
 /// The axis that the knee bends about now, unit, at right angles to u0.
-static soleVec3 soleFindHinge( soleVec3 k, soleVec3 s, float a, float b, soleVec3 u0, soleVec3 rigHinge )
+static soleVec3 soleFindBendAxis( soleVec3 k, soleVec3 s, float a, float b, soleVec3 u0, soleVec3 rigHinge )
 {
 	soleVec3 any = soleAnyOrthogonal( u0 );
 	soleVec3 reference = soleNormalizeOr( soleReject( rigHinge, u0 ), any );
@@ -96,7 +96,7 @@ soleTwoBoneResult soleSolveTwoBone( const soleTwoBoneDef* def )
 	result.flags |= length1 > hard ? (uint32_t)sole_legOutOfReach : 0u;
 	result.flags |= length1 < fold ? (uint32_t)sole_legFolded : 0u;
 
-	soleVec3 n = soleFindHinge( k, s, a, b, u0, def->hinge );
+	soleVec3 n = soleFindBendAxis( k, s, a, b, u0, def->hinge );
 	soleVec3 kp = soleReject( k, n );
 	soleVec3 sp = soleReject( s, n );
 	float ap = soleLength( kp ), bp = soleLength( sp );

@@ -7,142 +7,6 @@
 
 #include <string.h>
 
-#define TELEPORT 1.5f // leg lengths that a root can't move in a frame beyond 20 of them a second
-
-// ------------------------------------------------------------------------------------------------------ taking in
-
-/// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
-static soleSettings soleCleanSettings( const soleSettings* settings )
-{
-	SOLE_ASSERT( settings != NULL && settings->internalValue == SOLE_COOKIE );
-	if ( settings == NULL || settings->internalValue != SOLE_COOKIE )
-	{
-		return soleDefaultSettings();
-	}
-	soleSettings clean = *settings;
-	int32_t count;
-	const soleSettingInfo* infos = soleGetSettingInfos( &count );
-	for ( int32_t i = 0; i < count; ++i )
-	{
-		double value = soleSettings_Get( settings, infos + i );
-		soleSettings_Set( &clean, infos + i, value - value == 0.0 ? value : infos[i].defaultValue );
-	}
-	return clean;
-}
-
-static bool soleIsFrameUsable( const soleFrame* frame )
-{
-	const soleTransform* root = &frame->root;
-	return frame->pose != NULL && soleVec3_IsFinite( root->translation ) && soleQuat_IsFinite( root->rotation ) &&
-	    soleVec3_IsFinite( root->scale ) && soleVec3_IsFinite( frame->up ) && soleIsFinite( frame->weight ) &&
-	    soleIsFinite( frame->clipFloor ) && root->scale.x * root->scale.y * root->scale.z != 0.0f;
-}
-
-/// Moves all remembered places along with a world whose origin was moved.
-static void soleShiftState( soleState* state, const soleFrame* frame, int32_t legCount )
-{
-	soleVec3 shift = soleVec( (float)( state->worldOrigin[0] - frame->worldOrigin[0] ),
-	    (float)( state->worldOrigin[1] - frame->worldOrigin[1] ),
-	    (float)( state->worldOrigin[2] - frame->worldOrigin[2] ) );
-	memcpy( state->worldOrigin, frame->worldOrigin, sizeof state->worldOrigin );
-	if ( shift.x == 0.0f && shift.y == 0.0f && shift.z == 0.0f )
-	{
-		return;
-	}
-	state->root_w = soleAdd( state->root_w, shift );
-	for ( int32_t i = 0; i < legCount; ++i )
-	{
-		soleLegState* leg = state->legs + i;
-		leg->animHeel_w = soleAdd( leg->animHeel_w, shift );
-		leg->animBall_w = soleAdd( leg->animBall_w, shift );
-		leg->lockPoint_w = soleAdd( leg->lockPoint_w, shift );
-		leg->planePoint_w = soleAdd( leg->planePoint_w, shift );
-	}
-}
-
-static bool soleIsStateUsable( const soleState* state, int32_t legCount )
-{
-	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->rootSpeed ) &&
-	    soleIsFinite( state->rootSuspect ) && soleIsFinite( state->pelvis.value ) &&
-	    soleIsFinite( state->pelvis.velocity );
-	for ( int32_t i = 0; i < legCount; ++i )
-	{
-		const soleLegState* leg = state->legs + i;
-		finite = finite && soleVec3_IsFinite( leg->animHeel_w ) && soleVec3_IsFinite( leg->animBall_w ) &&
-		    soleVec3_IsFinite( leg->lockPoint_w ) && soleVec3_IsFinite( leg->lockForward_w ) &&
-		    soleVec3_IsFinite( leg->planePoint_w ) && soleVec3_IsFinite( leg->planeNormal_w ) &&
-		    soleVec3_IsFinite( leg->slide.value ) && soleVec3_IsFinite( leg->slide.velocity ) &&
-		    soleVec3_IsFinite( leg->gradient.value ) && soleVec3_IsFinite( leg->gradient.velocity ) &&
-		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
-		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
-		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->say ) && soleIsFinite( leg->contactTime ) &&
-		    soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
-		    soleIsFinite( leg->ballSpeed );
-	}
-	return finite;
-}
-
-static float soleLongestLeg( const soleRig* rig )
-{
-	float longest = 0.0f;
-	for ( int32_t i = 0; i < rig->legCount; ++i )
-	{
-		longest = soleMaxF( longest, rig->legs[i].length );
-	}
-	return longest;
-}
-
-/// A new start: nothing of an earlier place is left.
-static void soleForget( soleState* state, int32_t legCount )
-{
-	state->rootSpeed = 0.0f;
-	state->rootSuspect = 0.0f;
-	state->pelvis = ( soleOffset1 ){ 0.0f, 0.0f };
-	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
-}
-
-static void soleSetUpFrame( solePlaceWork* work )
-{
-	const soleFrame* frame = work->frame;
-	soleQuat rotation = soleNormalizeQuat( frame->root.rotation );
-	work->rootUp = soleRotate( rotation, work->rig->up );
-	work->up = soleNormalizeOr( frame->up, work->rootUp );
-	work->rootScale = frame->root.scale.x;
-	work->root_w = frame->root.translation;
-	work->floor = soleRotate( rotation, soleMul( frame->root.scale, soleScale( frame->clipFloor, work->rig->up ) ) );
-	work->reference = soleDot( work->floor, work->up );
-	float step = frame->timeStep;
-	work->timeStep = soleIsFinite( step ) && step > 0.0f ? step : 0.0f;
-	work->legCount = work->rig->legCount;
-
-	work->first = work->state->frameCount == 0 || frame->teleport;
-	if ( work->first == false )
-	{
-		float scaled = soleLongestLeg( work->rig ) * work->rootScale;
-		float moved = soleDistance( work->root_w, work->state->root_w );
-		work->first = moved > TELEPORT * scaled && moved > 20.0f * scaled * work->timeStep;
-		soleVec3 travel = soleHorizontal( work, soleSub( work->root_w, work->state->root_w ) );
-		work->rootSpeed = work->timeStep > 0.0f ? soleLength( travel ) / work->timeStep : 0.0f;
-	}
-	if ( work->first )
-	{
-		soleForget( work->state, work->legCount );
-	}
-	for ( int32_t i = 0; i < work->legCount; ++i )
-	{
-		soleLegWork* leg = work->legs + i;
-		*leg = ( soleLegWork ){ .rig = work->rig->legs + i, .state = work->state->legs + i, .index = i };
-		leg->out = work->out->legs + i;
-		float legWeight = frame->legWeight != NULL ? frame->legWeight[i] : 1.0f;
-		leg->weight = soleSaturate( frame->weight ) * soleSaturate( soleFiniteOr( legWeight, 0.0f ) );
-		leg->contactInput = ( soleContactInput ){ -1.0f, -1.0f };
-		if ( frame->contact != NULL && soleIsFinite( frame->contact[i].heel + frame->contact[i].toe ) )
-		{
-			leg->contactInput = frame->contact[i];
-		}
-	}
-}
-
 // ----------------------------------------------------------------------------------------------------- handing out
 
 /// The output that changes nothing: the pose as it came in.
@@ -255,11 +119,7 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	soleSettings clean = soleCleanSettings( settings );
 	soleOutput out;
 	soleState copy = *state;
-	if ( copy.internalValue != SOLE_COOKIE || !soleIsStateUsable( &copy, rig->legCount ) )
-	{
-		copy = soleDefaultState( rig );
-	}
-	soleShiftState( &copy, frame, rig->legCount );
+	soleTakeState( rig, frame, &copy );
 	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = &copy, .out = &out };
 	soleSetUpFrame( &work );
 	soleSense( &work );
@@ -289,12 +149,8 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 		soleScrubOutput( rig, output );
 		return;
 	}
-	if ( state->internalValue != SOLE_COOKIE || !soleIsStateUsable( state, rig->legCount ) )
-	{
-		*state = soleDefaultState( rig );
-	}
+	soleTakeState( rig, frame, state );
 	soleSettings clean = soleCleanSettings( settings );
-	soleShiftState( state, frame, rig->legCount );
 	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = state, .out = output };
 	soleSetUpFrame( &work );
 	soleRunStages( &work, hits, hitCount > 0 ? hitCount : 0 );
@@ -332,32 +188,5 @@ void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* loc
 			localPose[leg->detachedFoot].translation = o->footTranslation_l;
 			localPose[leg->detachedFoot].rotation = o->footRotation_l;
 		}
-	}
-}
-
-// ----------------------------------------------------------------------------------------------------------- states
-
-soleState soleDefaultState( const soleRig* rig )
-{
-	(void)rig;
-	soleState state;
-	memset( &state, 0, sizeof state );
-	state.internalValue = SOLE_COOKIE;
-	return state;
-}
-
-size_t soleState_GetByteCount( const soleRig* rig )
-{
-	SOLE_ASSERT( rig != NULL );
-	int32_t legCount = rig != NULL ? rig->legCount : SOLE_MAX_LEGS;
-	return offsetof( soleState, legs ) + (size_t)legCount * sizeof( soleLegState );
-}
-
-void soleState_Reset( soleState* state )
-{
-	SOLE_ASSERT( state != NULL );
-	if ( state != NULL )
-	{
-		state->frameCount = 0;
 	}
 }

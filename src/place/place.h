@@ -163,6 +163,14 @@ static inline soleReach soleGetReach( const solePlaceWork* work, const soleLegWo
 	return ( soleReach ){ soft, hard };
 }
 
+/// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
+soleSettings soleCleanSettings( const soleSettings* settings );
+bool soleIsFrameUsable( const soleFrame* frame );
+/// A state that is usable in this frame's world: the default one where it was not.
+void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );
+/// Fills in what all stages share. Forgets everything after a jump.
+void soleSetUpFrame( solePlaceWork* work );
+
 /// The stages. Each reads what those before it wrote.
 
 /// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.

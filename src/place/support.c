@@ -10,6 +10,7 @@
 //    highest, at p, of all planes through three probes whose triangle holds p; that plane then lies on or above all
 //    others. Where no triangle holds p the best pair that brackets it along the foot gives the pitch; else the highest
 //    probe gives a flat plane.
+//    A foot that asks with a single probe has the slope of the face that it met.
 // 3. The slope is clamped to what is walkable, and the height set anew so that the plane touches the level and no probe
 //    is above it.
 // 4. What the ground was one frame ago is inertialised: the difference of old and new plane over the sole is kept as an
@@ -25,8 +26,9 @@
 typedef struct soleGroundPoint
 {
 	float u, v, h;
-	bool ahead; // of the ball line
-	bool steep; // the face cannot be walked on
+	float su, sv; // slope of the face that was met
+	bool ahead;   // of the ball line
+	bool steep;   // the face cannot be walked on
 	int32_t level;
 } soleGroundPoint;
 
@@ -88,6 +90,8 @@ static void soleReadHits( const solePlaceWork* work, const soleLegWork* leg, con
 		p->u = soleDot( from, leg->soleForward );
 		p->v = soleDot( from, side );
 		p->h = h - work->reference;
+		p->su = -soleDot( normal, leg->soleForward ) / normalUp;
+		p->sv = -soleDot( normal, side ) / normalUp;
 		p->ahead = soleDot( soleSub( asked, leg->soleCenter ), leg->soleForward ) > 0.1f * leg->rig->toeAhead;
 		p->steep = !( normalUp >= minimumUp );
 		p->level = read->count - 1;
@@ -193,7 +197,7 @@ static bool soleFitPair( soleGroundPoint a, soleGroundPoint b, float shortest, s
 	return true;
 }
 
-static soleFit soleFitResting( const soleGroundPoints* read, float footLength )
+static soleFit soleFitResting( const soleGroundPoints* read, int32_t asked, float footLength )
 {
 	const soleGroundPoint* p = read->points;
 	int32_t n = read->count;
@@ -201,6 +205,10 @@ static soleFit soleFitResting( const soleGroundPoints* read, float footLength )
 	soleFit best = { 0.0f, 0.0f, 0.0f };
 	bool found = false;
 	soleFit fit;
+	if ( asked == 1 && n == 1 )
+	{
+		return ( soleFit ){ p[0].h, p[0].su, p[0].sv };
+	}
 	for ( int32_t i = 0; i < n; ++i )
 	{
 		for ( int32_t j = i + 1; j < n; ++j )
@@ -309,7 +317,7 @@ static void soleFindRawPlane( solePlaceWork* work, soleLegWork* leg, const soleH
 
 	bool bends = rig->toeSlot != SOLE_NONE;
 	soleGroundPoints rigid = bends ? soleWithoutToes( &read ) : read;
-	soleFit fit = soleFitResting( &rigid, footLength );
+	soleFit fit = soleFitResting( &rigid, hitCount, footLength );
 	float steepest = 2.0f * limit.s * limit.c / soleMaxF( minimumUp, 0.05f );
 	int32_t steep = 0;
 	for ( int32_t i = 0; i < rigid.count; ++i )

@@ -159,18 +159,18 @@ void soleCheckLegs( soleDetect* detect );
 
 // detect_hinge.c
 /// The axis about which a knee bends.
-soleVec3 soleFindHinge( soleDetect* detect, int32_t leg );
+soleVec3 soleFindHinge( soleDetect* detect, int32_t index );
 
 // detect_toes.c
 /// Toe joints and tip below the ankle.
-void soleFindToes( soleDetect* detect, int32_t leg );
+void soleFindToes( soleDetect* detect, int32_t index );
 
 // detect_stance.c
 void soleFindStanding( soleDetect* detect );
 
 // detect_sole.c
 /// Where the skin ends below a leg without an ankle joint.
-void soleFindVirtualAnkle( soleDetect* detect, int32_t leg );
-soleSolePoints soleFindSole( soleDetect* detect, int32_t leg );
+void soleFindVirtualAnkle( soleDetect* detect, int32_t index );
+soleSolePoints soleFindSole( soleDetect* detect, int32_t index );
 
 #endif
