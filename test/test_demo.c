@@ -121,34 +121,34 @@ static double testFarthestAnkle( const testTake* take )
 	return farthest;
 }
 
-static void flatGroundChangesNothing( void** state )
+// How far ankles may be moved over flat ground. A foot that stands all the time is left where it is. One that rolls off
+// is held for as long as its lock lasts, and goes after the clip in the swing: 13.5 mm in the walk, 5.5 mm in the run.
+static const struct
+{
+	const char* clip;
+	double limit; // m
+} testFlats[] = { { "idle", 0.001 }, { "walk", 0.015 }, { "run", 0.0065 } };
+
+static void flatGroundChangesLittle( void** state )
 {
 	(void)state;
-	static const struct
+	static const char* const grounds[] = { "flat", "T01" };
+	for ( size_t i = 0; i < 2 * sizeof testFlats / sizeof testFlats[0]; ++i )
 	{
-		const char* clip;
-		double limit; // m
-	} cases[] = { { "idle", 0.001 }, { "walk", 0.015 }, { "run", 0.1 } };
-	for ( size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i )
-	{
-		for ( int scene = 0; scene < 2; ++scene )
+		const char* clip = testFlats[i / 2].clip;
+		testBake bake = { .character = "mannequin", .clip = clip, .ground = grounds[i % 2] };
+		testTake take;
+		testOpenTake( &bake, &take );
+		testBakeTake( &bake, &take );
+		double farthest = testFarthestAnkle( &take );
+		int32_t overExtended = take.figures.all.overExtended;
+		testCloseTake( &take );
+		if ( farthest > testFlats[i / 2].limit )
 		{
-			const char* ground = scene == 0 ? "flat" : "T01";
-			testBake bake = { .character = "mannequin", .clip = cases[i].clip, .ground = ground };
-			testTake take;
-			testOpenTake( &bake, &take );
-			testBakeTake( &bake, &take );
-			double farthest = testFarthestAnkle( &take );
-			int32_t overExtended = take.figures.all.overExtended;
-			testCloseTake( &take );
-			print_message( "%s over %s: ankles are moved by at most %.2f mm\n", cases[i].clip, ground, 1e3 * farthest );
-			if ( farthest > cases[i].limit )
-			{
-				fail_msg( "%s over %s: an ankle is moved by %.2f mm, more than %.2f mm", cases[i].clip, ground,
-				    1e3 * farthest, 1e3 * cases[i].limit );
-			}
-			assert_int_equal( overExtended, 0 );
+			fail_msg( "%s over %s: an ankle is moved by %.2f mm, more than %.2f mm", clip, grounds[i % 2],
+			    1e3 * farthest, 1e3 * testFlats[i / 2].limit );
 		}
+		assert_int_equal( overExtended, 0 );
 	}
 }
 
@@ -184,9 +184,15 @@ static void testCheckHash( const char* what, uint64_t hash, uint64_t stored )
 	}
 }
 
+// The whole way of the demo. What the mannequin, the course and the clips are made with goes through the C library's
+// sines, so this is compared only where that is glibc; the library itself has its own test below.
 static void theDemoHasTheSameBits( void** state )
 {
 	(void)state;
+#if !defined( __GLIBC__ )
+	print_message( "left out: the hash is that of glibc\n" );
+	skip();
+#endif
 	testBake bake = { .character = "mannequin", .clip = "walk", .ground = "course" };
 	testTake take;
 	testOpenTake( &bake, &take );
@@ -315,7 +321,7 @@ int main( void )
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test( theFiguresStayWhatTheyAre ),
-		cmocka_unit_test( flatGroundChangesNothing ),
+		cmocka_unit_test( flatGroundChangesLittle ),
 		cmocka_unit_test( theDemoHasTheSameBits ),
 		cmocka_unit_test( theLibraryHasTheSameBits ),
 	};
