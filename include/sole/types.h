@@ -334,7 +334,6 @@ typedef struct soleLegState
 	float ballRise;
 	float heelSpeed; // their speeds over the ground
 	float ballSpeed;
-	float ground;      // 0 no ground .. 1 ground under this foot
 	float time;        // since the last change of contact, s
 	float contactTime; // for how long the foot has been in contact by its motion, s
 } soleLegState;

@@ -47,13 +47,11 @@ typedef struct soleLegWork
 	soleQuat rotations[SOLE_MAX_LEG_JOINTS];
 	int32_t ankleIndex; // of the last entry of joints
 	soleTransform foot; // the joint that carries the sole
-	soleQuat footParentRotation;
 	soleQuat toeRotation;
 	soleVec3 ankle, heel, ball;          // sole points, the ball carried by the toes
 	soleVec3 pivot;                      // what the heel is raised about: the toe joint, else the ball
 	soleVec3 forward;                    // horizontal heading of the foot, unit
-	soleVec3 side;                       // forward x up
-	float ankleRise, heelRise, ballRise; // over the clip's floor
+	float heelRise, ballRise;            // over the clip's floor
 	float sunk;                          // how far the clip itself has the sole under its floor
 	float heelSpeed, ballSpeed;          // over the ground, with the root's motion
 	soleVec3 ballVelocity, heelVelocity; // horizontal

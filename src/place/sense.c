@@ -58,9 +58,6 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	const soleRigLeg* rig = leg->rig;
 	leg->foot = work->slots[rig->footSlot];
 	leg->usable = leg->usable && soleTransform_IsFinite( leg->foot );
-	int32_t parent = work->rig->slotParents[rig->footSlot];
-	leg->footParentRotation =
-	    parent == SOLE_NONE ? soleNormalizeQuat( work->frame->root.rotation ) : work->slots[parent].rotation;
 	leg->toeRotation = rig->toeSlot == SOLE_NONE ? soleQuat_Identity() : work->slots[rig->toeSlot].rotation;
 	leg->heel = soleTransformPoint( leg->foot, rig->heel );
 	// The ball stands still with the toes while the heel rises: where the foot has toes, they carry it.
@@ -75,9 +72,7 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	fallback = soleNormalizeOr( soleHorizontal( work, fallback ), soleAnyOrthogonal( work->up ) );
 	soleVec3 level = soleHorizontal( work, ahead );
 	leg->forward = soleDot( level, level ) < 1e-4f ? fallback : soleNormalizeOr( level, fallback );
-	leg->side = soleCross( leg->forward, work->up );
 
-	leg->ankleRise = soleDot( soleSub( leg->ankle, work->floor ), work->rootUp );
 	leg->heelRise = soleDot( soleSub( leg->heel, work->floor ), work->rootUp );
 	leg->ballRise = soleDot( soleSub( leg->ball, work->floor ), work->rootUp );
 	soleVec3 inner = soleTransformPoint( fore, rig->foreInner );
