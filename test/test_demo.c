@@ -34,10 +34,10 @@ enum
 
 static const testFigure testFigures[test_figureCount] = {
 	{ "penetration p95, mm", 100.3, 9.956 },
-	{ "hover p95, mm", 34.75, 33.14 },
-	{ "slide, cm/s", 3.018, 2.327 },
-	{ "knee acceleration RMS, ratio to flat ground", 1.0, 2.326 },
-	{ "pelvis, largest step of a frame, mm", 173.0, 15.72 },
+	{ "hover p95, mm", 34.75, 38.06 },
+	{ "slide, cm/s", 3.018, 2.496 },
+	{ "knee acceleration RMS, ratio to flat ground", 1.0, 2.128 },
+	{ "pelvis, largest step of a frame, mm", 173.0, 15.77 },
 };
 
 // Gates of the demo, whatever the table says.
@@ -205,7 +205,7 @@ static void theDemoHasTheSameBits( void** state )
 		hash = testHashQuat( hash, take.result.output[i].rotation );
 	}
 	testCloseTake( &take );
-	testCheckHash( "the demo", hash, 0x14258769cadb489full );
+	testCheckHash( "the demo", hash, 0xe6eefdb1909edd93ull );
 }
 
 // A turn about x whose angle's quarter has this tangent: no trigonometry.
@@ -314,7 +314,7 @@ static void theLibraryHasTheSameBits( void** state )
 	soleDestroyRig( biped.rig );
 	// It is a walk.
 	assert_in_range( planted, frames / 5, frames * 4 / 5 );
-	testCheckHash( "the library", hash, 0x0a831317e0fe5536ull );
+	testCheckHash( "the library", hash, 0x57f3391ab9832c83ull );
 }
 
 int main( void )

@@ -533,6 +533,47 @@ static void aFootIsHeldWhereItWasWhileTheHostSaysSo( void** state )
 	soleDestroyRig( biped.rig );
 }
 
+static void aFootInFlightRisesBeforeTheStepThatIsAhead( void** state )
+{
+	(void)state;
+	testBiped biped;
+	testMakeBiped( &biped );
+	soleTransform pose[biped_count], placed[biped_count];
+	memcpy( pose, biped.bindPose, sizeof pose );
+	testBendKnees( pose, 0.6f );
+	soleVec3 tip = soleRig_ToFootSpace( biped.rig, 0, soleRig_GetLeg( biped.rig, 0 ).sole.toe, false );
+	float clearances[2];
+	for ( int way = 0; way < 2; ++way )
+	{
+		soleSettings settings = soleDefaultSettings();
+		settings.support.lookAhead = way == 0 ? 0.0f : 0.08f;
+		soleState memory = soleDefaultState( biped.rig );
+		Ground ground = flatGround;
+		ground.stepX = 0.15f; // the character goes sideways here: its step is across its way
+		soleFrame frame = makeFrame( pose );
+		frame.root.rotation = testTurn( soleVec( 0.0f, 1.0f, 0.0f ), 1.5707963f ); // faces +X
+		const soleContactInput contact[2] = { { 0.0f, 0.0f }, { 1.0f, 1.0f } };
+		frame.contact = contact;
+		soleOutput out;
+		clearances[way] = 1.0f;
+		for ( int i = 0; i < 30; ++i )
+		{
+			// The left foot flies at 2 m/s, 3 cm over the floor.
+			frame.clipFloor = -0.03f;
+			frame.root.translation = soleVec( -0.8f + 2.0f * (float)i / 60.0f, 0.03f, 0.0f );
+			step( &biped, &settings, &memory, &frame, &ground, &out );
+			memcpy( placed, pose, sizeof placed );
+			soleApply( biped.rig, &out, placed );
+			soleVec3 p = soleTransformPoint( testJoint( &biped, placed, frame.root, biped_ankleL ), tip );
+			clearances[way] = p.x > 0.0f ? fminf( clearances[way], p.y - 0.15f ) : clearances[way];
+		}
+	}
+	// Without a look ahead the toes are well inside the step when they meet it.
+	assert_true( clearances[0] < -0.05f );
+	assert_true( clearances[1] > 0.3f * clearances[0] );
+	soleDestroyRig( biped.rig );
+}
+
 /// Largest turn of any leg joint between two placed poses, as 1 - |cos| of its half.
 static float largestTurn( const soleTransform* a, const soleTransform* b )
 {
@@ -615,6 +656,7 @@ int main( void )
 		cmocka_unit_test( movingTheWorldsOriginMovesNothing ),
 		cmocka_unit_test( aTeleportForgetsEverything ),
 		cmocka_unit_test( aFootIsHeldWhereItWasWhileTheHostSaysSo ),
+		cmocka_unit_test( aFootInFlightRisesBeforeTheStepThatIsAhead ),
 		cmocka_unit_test( settledPoseIsContinuousInTheGround ),
 		cmocka_unit_test( misuseIsRefusedSafely ),
 	};

@@ -278,7 +278,7 @@ static void frameRatesAgree( const char* character, const char* clip, const char
 	print_message( "%s on %s, against 60 Hz: 30 Hz p95 %.1f max %.1f mm, 144 Hz p95 %.1f max %.1f mm\n", clip, ground,
 	    1e3 * slow, 1e3 * slowest, 1e3 * fast, 1e3 * fastest );
 	assert_true( slow <= bound && fast <= bound );
-	assert_true( slowest <= 0.012 && fastest <= 0.012 ); // the moment of lift-off
+	assert_true( slowest <= 0.015 && fastest <= 0.015 ); // a foot in flight, at lift-off and before a slope
 	for ( int32_t i = 0; i < 3; ++i )
 	{
 		testCloseTake( takes + i );

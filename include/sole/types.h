@@ -145,11 +145,13 @@ typedef struct soleSettings
 
 	struct
 	{
-		float maxSlope;       // steeper faces give height but no tilt. rad [0, 1.5] default 0.87 (50 degrees)
-		float levelGap;       // neighbouring probes further apart than 45 degrees plus this are on different levels. L
-		                      // [0, 0.5] default 0.022
-		float loadPoint;      // where the sole bears, from heel 0 to toe tip 1. [0, 1] default 0.5
-		float heightHalfLife; // decay of ground steps under a foot in flight. s [0, 1] default 0.045
+		float maxSlope;  // steeper faces give height but no tilt. rad [0, 1.5] default 0.87 (50 degrees)
+		float levelGap;  // neighbouring probes further apart than 45 degrees plus this are on different levels. L
+		                 // [0, 0.5] default 0.022
+		float loadPoint; // where the sole bears, from heel 0 to toe tip 1. [0, 1] default 0.5
+		float lookAhead; // a foot in flight rises for what its toes will pass over within this time. s [0, 0.5] default
+		                 // 0.08
+		float heightHalfLife;   // decay of ground steps under a foot in flight. s [0, 1] default 0.045
 		float gradientHalfLife; // decay of changes of slope under a foot in flight. s [0, 1] default 0.05
 		float plantedHalfLife;  // decay of what is left of both once it is planted. s [0, 1] default 0.02
 	} support;
@@ -270,7 +272,7 @@ typedef struct soleProbe
 {
 	soleVec3 start_w;
 	soleVec3 direction_w; // unit
-	float length;         // > 0. Furthest travel of the ray, or of the centre of the sphere
+	float length;         // furthest travel of the ray, or of the centre of the sphere. 0: need not be cast, misses
 	float radius;         // 0: a ray
 	uint32_t mask;        // layers that count
 	int16_t leg;

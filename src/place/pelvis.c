@@ -60,7 +60,11 @@ static void soleUpdateSay( const solePlaceWork* work, soleLegWork* leg )
 	soleLegState* state = leg->state;
 	float left = state->time < LEAVING_TIME ? LEAST_SAY : 1.0f;
 	float goal = leg->touches ? 1.0f - ( 1.0f - LEAST_SAY ) * soleHeelBegun( leg ) : left;
-	float step = work->timeStep / SAY_TIME;
+	// The way to a new goal begins when it became one, within the frame.
+	float elapsed = leg->touches != leg->touched ? leg->since : work->timeStep;
+	float back = state->time - LEAVING_TIME;
+	elapsed = leg->touches == false && back >= 0.0f && back < elapsed ? back : elapsed;
+	float step = elapsed / SAY_TIME;
 	if ( work->first )
 	{
 		state->say = leg->touches ? goal : 1.0f;

@@ -59,6 +59,8 @@ typedef struct soleLegWork
 	// probe: what the probes were aimed at
 	soleVec3 soleCenter;  // ball of the flat sole, horizontal place
 	soleVec3 soleForward; // its heading
+	bool flying;          // fast enough to run into something
+	soleVec3 tip;         // of the toes of a foot in flight
 
 	// support
 	solePlane raw;   // the plane that carries the sole, as the ground is now
@@ -139,10 +141,18 @@ static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point
 	return ( solePlane ){ point, soleNormalizeOr( soleSub( work->up, gradient ), work->up ), gradient };
 }
 
-/// How many probes a leg asks for: depends on settings alone.
-static inline int32_t soleProbesPerLeg( const soleSettings* settings )
+/// Probes ahead of a foot in flight, for what it has to pass over next.
+#define SOLE_AHEAD 2
+
+/// How many probes a foot asks for under its sole, and in all: depends on settings alone.
+static inline int32_t soleProbesPerSole( const soleSettings* settings )
 {
 	return settings->probe.layout == sole_probeQuality ? 18 : ( settings->probe.layout == sole_probeSingle ? 1 : 5 );
+}
+
+static inline int32_t soleProbesPerLeg( const soleSettings* settings )
+{
+	return soleProbesPerSole( settings ) + SOLE_AHEAD;
 }
 
 /// How long a leg may be: nothing is softened up to soft, nothing is longer than hard. An animation that stretches

@@ -7,9 +7,13 @@
 // the foot: a foot that is inside a step still finds the step's top.
 #include "place/place.h"
 
+#define FLYING 0.8f // L/s
+
 void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
+	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
+	    leg->ballSpeed > FLYING * leg->length;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		leg->soleCenter = soleSub( state->lockPoint_w, work->root_w );
@@ -25,6 +29,7 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 	soleHalf half = soleHalfFromQuarterTan( state->turn.value );
 	leg->soleCenter = soleAdd( leg->ball, state->slide.value );
 	leg->soleForward = soleRotate( soleHalfRotation( work->up, half ), leg->forward );
+	leg->tip = soleMulAdd( leg->soleCenter, leg->rig->toeAhead * work->rootScale, leg->soleForward );
 }
 
 typedef struct soleProbePlace
@@ -60,25 +65,38 @@ static soleVec3 soleProbePoint( const solePlaceWork* work, const soleLegWork* le
 	return soleMulAdd( p, sideways * work->rootScale, side );
 }
 
+/// Where probe k of a leg asks: under the sole, then where its toe tip will be soon.
+static soleVec3 soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, int32_t k )
+{
+	int32_t perSole = soleProbesPerSole( work->settings );
+	if ( k < perSole )
+	{
+		return soleProbePoint( work, leg, soleChoosePlaces( work->settings->probe.layout )[k] );
+	}
+	float time = work->settings->support.lookAhead * (float)( k - perSole + 1 ) / (float)SOLE_AHEAD;
+	return soleMulAdd( leg->tip, time, leg->ballVelocity );
+}
+
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
 	const soleSettings* settings = work->settings;
-	const soleProbePlace* places = soleChoosePlaces( settings->probe.layout );
-	int32_t placeCount = soleProbesPerLeg( settings );
+	int32_t perSole = soleProbesPerSole( settings );
+	int32_t perLeg = soleProbesPerLeg( settings );
 	int32_t count = 0;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		const soleLegWork* leg = work->legs + i;
-		// Unusable legs are asked for too: the number of probes depends on rig and settings alone.
-		for ( int32_t k = 0; k < placeCount && count < capacity; ++k )
+		// Probes that are not needed are asked with no length: how many there are depends on rig and settings alone.
+		for ( int32_t k = 0; k < perLeg && count < capacity; ++k )
 		{
-			soleVec3 point = leg->usable ? soleProbePoint( work, leg, places[k] ) : soleVec( 0.0f, 0.0f, 0.0f );
+			bool needed = leg->usable && ( k < perSole || leg->flying );
+			soleVec3 point = needed ? soleChoosePoint( work, leg, k ) : soleVec( 0.0f, 0.0f, 0.0f );
 			float up = settings->probe.stepUp * leg->length;
 			float down = settings->probe.stepDown * leg->length;
 			soleProbe* probe = probes + count++;
 			probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + up ), work->root_w );
 			probe->direction_w = soleNeg( work->up );
-			probe->length = leg->usable ? up + down : 0.0f;
+			probe->length = needed ? up + down : 0.0f;
 			probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
 			probe->mask = settings->probe.mask;
 			probe->leg = (int16_t)i;

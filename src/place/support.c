@@ -16,9 +16,12 @@
 // 4. What the ground was one frame ago is inertialised: the difference of old and new plane over the sole is kept as an
 //    offset that decays. Slopes pass without lag, since the old plane already foretold them; steps are taken up softly
 //    by a foot in flight, quickly by a planted one.
-// 5. Ahead of the ball the probes also say how far the ground there stands over or under that plane: the toes' slope.
+// 5. A foot in flight has to pass over what comes: where the ground that its toes will be over soon is higher than the
+//    plane, the plane is raised by as much.
+// 6. Ahead of the ball the probes also say how far the ground there stands over or under that plane: the toes' slope.
 #include "place/place.h"
 
+#define GENTLE 0.5f // rise per length
 #define MAX_POINTS SOLE_MAX_PROBES_PER_LEG
 
 /// A probe's answer in the foot's own frame: u ahead, v to the side, h up from the reference height, around the load
@@ -342,6 +345,27 @@ static void soleFindRawPlane( solePlaceWork* work, soleLegWork* leg, const soleH
 	leg->raw = soleMakePlane( work, soleAtHeight( work, load, work->reference + fit.c ), gradient );
 }
 
+/// How much higher than the plane the ground is that a foot in flight will pass over. What rises gently on the way
+/// there is no obstacle: the foot's own plane follows it.
+static float soleFindObstacle(
+    const solePlaceWork* work, const soleLegWork* leg, const soleHit* hits, int32_t hitCount )
+{
+	float obstacle = 0.0f;
+	for ( int32_t i = 0; i < hitCount && leg->flying; ++i )
+	{
+		const soleHit* hit = hits + i;
+		if ( hit->hit && soleVec3_IsFinite( hit->point_w ) && soleDot( hit->normal_w, work->up ) > 1e-3f )
+		{
+			soleVec3 point = soleSub( hit->point_w, work->root_w );
+			float over = soleDot( point, work->up ) - solePlaneHeight( work, leg->raw, point );
+			float gentle = GENTLE * soleDistance( soleHorizontal( work, point ), soleHorizontal( work, leg->tip ) );
+			over = soleMinF( over, 3.0f * soleMaxF( over - gentle, 0.0f ) );
+			obstacle = soleMaxF( obstacle, soleMinF( over, work->settings->probe.stepUp * leg->length ) );
+		}
+	}
+	return obstacle;
+}
+
 /// Keeps what differs between the last frame's plane and this one's, and lets it decay.
 static void soleInertialise( solePlaceWork* work, soleLegWork* leg )
 {
@@ -369,6 +393,7 @@ static void soleInertialise( solePlaceWork* work, soleLegWork* leg )
 void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
 {
 	int32_t perLeg = soleProbesPerLeg( work->settings );
+	int32_t perSole = soleProbesPerSole( work->settings );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleLegWork* leg = work->legs + i;
@@ -377,7 +402,10 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 			continue;
 		}
 		int32_t first = soleMinI( i * perLeg, hitCount );
-		soleFindRawPlane( work, leg, hits + first, soleMinI( perLeg, hitCount - first ) );
+		soleFindRawPlane( work, leg, hits + first, soleMinI( perSole, hitCount - first ) );
+		int32_t ahead = soleMinI( first + perSole, hitCount );
+		float obstacle = soleFindObstacle( work, leg, hits + ahead, soleMinI( SOLE_AHEAD, hitCount - ahead ) );
+		leg->raw.point = soleMulAdd( leg->raw.point, obstacle, work->up );
 		soleInertialise( work, leg );
 		if ( leg->hasGround == false )
 		{

@@ -29,6 +29,8 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT(
 	    support.levelGap, "L", 0, 0.5, 0.022, "Neighbouring probes this far beyond 45 degrees are on other levels." ),
 	FLOAT( support.loadPoint, "", 0, 1, 0.5, "Where the sole bears, from heel to toe tip." ),
+	FLOAT( support.lookAhead, "s", 0, 0.5, 0.08,
+	    "A foot in flight rises for what its toes will pass over within this time." ),
 	FLOAT( support.heightHalfLife, "s", 0, 1, 0.045, "How fast a foot in flight takes up a step of the ground." ),
 	FLOAT( support.gradientHalfLife, "s", 0, 1, 0.05, "How fast a foot in flight takes up a change of slope." ),
 	FLOAT( support.plantedHalfLife, "s", 0, 1, 0.02, "How fast a planted foot takes up what is left of both." ),
