@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-#define BAND 0.015 // m over the sole plane at a leg of 0.9 m
+#define BAND 0.008 // m over the sole plane at a leg of 0.9 m: what is higher is the side of a shoe
 #define POINTS_A_LEG 400
 #define FEWEST 4
 
