@@ -13,7 +13,7 @@
 typedef struct testBake
 {
 	const char* character;
-	const char* clip;  // NULL: the best walk
+	const char* clip;  // NULL: the best walk; where there is no clip: standing at rest
 	const char* clips; // a second file with the clips, or NULL
 	const char* ground;
 	float groundScale; // 0: 1
@@ -90,8 +90,15 @@ static inline void testOpenTake( const testBake* bake, testTake* take )
 		model = toolGltf_GetModel( take->clips );
 	}
 	int32_t clip = bake->clip != NULL ? toolFindClip( model, bake->clip ) : toolChooseClip( model );
-	assert_true( clip >= 0 );
-	TEST_GOOD( toolBindClip( &take->character, model, clip, &take->bound, &error ), error );
+	if ( clip == SOLE_NONE && bake->clip == NULL )
+	{
+		toolBindRest( &take->bound );
+	}
+	else
+	{
+		assert_true( clip >= 0 );
+		TEST_GOOD( toolBindClip( &take->character, model, clip, &take->bound, &error ), error );
+	}
 	take->travel = toolFindTravel( &take->character, &take->bound );
 	TEST_GOOD( toolOpenGround( testPath( bake->ground, path ), &take->ground, &error ), error );
 	if ( bake->groundScale > 0.0f )

@@ -180,6 +180,7 @@ static void otherCharactersPlaceTheirFeetOnTheOzzFloor( void** state )
 		    .clips = "human-kaykit-mannequin/Med_General.glb" },
 		{ .character = "human-dcl-emotes/walk.glb", .clip = "Walk_Male" },
 		{ .character = "human-dcl-emotes/idle.glb", .clip = "Idle_Male" },
+		{ .character = "vrm-godette/Godette_vrm_v4.vrm" },
 	};
 	for ( size_t i = 0; i < sizeof bakes / sizeof bakes[0]; ++i )
 	{
@@ -196,7 +197,7 @@ static void otherCharactersPlaceTheirFeetOnTheOzzFloor( void** state )
 		soleFigures none = take.figures;
 		bake.method = "sole";
 		testBakeTake( &bake, &take );
-		print_message( "%s: mean penetration %.1f mm (none %.1f, flat %.1f), over-extended %d\n", bake.clip,
+		print_message( "%s: mean penetration %.1f mm (none %.1f, flat %.1f), over-extended %d\n", bake.character,
 		    1e3 * take.figures.all.penetration.mean, 1e3 * none.all.penetration.mean,
 		    1e3 * take.flat.all.penetration.mean, take.figures.all.overExtended );
 		assert_int_equal( take.figures.all.overExtended, 0 );

@@ -65,7 +65,7 @@ static const char toolHelp[] =
     "\n"
     "  --ground GROUND     what to walk on\n"
     "  -o, --output FILE   where to write, .glb or .gltf\n"
-    "  --clip NAME         which clip; may be given several times (default: the best walk)\n"
+    "  --clip NAME         which clip; may be given several times (default: the best walk; without clips: stand at rest)\n"
     "  --clips FILE        take the clips from this file, by the names of its joints\n"
     "  --path \"X,Z X,Z ..\" go along these places, in metres of the ground's world\n"
     "  --start \"X,Z\"       or straight on from here: the highest surface there; \"X,Y,Z\" the nearest below Y\n"

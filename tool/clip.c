@@ -218,6 +218,12 @@ bool toolBindClip(
 	return true;
 }
 
+void toolBindRest( toolBoundClip* bound )
+{
+	static const toolClip rest = { .name = TOOL_REST_CLIP, .end = 1.0f };
+	*bound = ( toolBoundClip ){ .clip = &rest, .nodes = toolAlloc( 1, sizeof *bound->nodes ), .duration = rest.end };
+}
+
 void toolFreeBoundClip( toolBoundClip* bound )
 {
 	free( bound->nodes );

@@ -344,13 +344,17 @@ static bool toolBakeClips( toolBakeJob* job, toolError* error )
 		{
 			return toolFail( error, "%s: has no clip '%s': 'sole inspect' lists its clips", file, options->clips[i] );
 		}
-		if ( index == SOLE_NONE )
+		if ( index == SOLE_NONE && options->clipsFile != NULL )
 		{
 			return toolFail( error, "%s: has no clips: give a file that has them with --clips", file );
 		}
 		toolProgress( "baking", (double)i / (double)count );
 		toolBoundClip bound;
-		if ( toolBindClip( &job->character, model, index, &bound, error ) == false )
+		if ( index == SOLE_NONE )
+		{
+			toolBindRest( &bound );
+		}
+		else if ( toolBindClip( &job->character, model, index, &bound, error ) == false )
 		{
 			return toolFailIn( error, file );
 		}

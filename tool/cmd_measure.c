@@ -112,13 +112,18 @@ static bool toolMakeBakedRun(
 	}
 	const toolModel* model = toolGltf_GetModel( run->clipsGltf != NULL ? run->clipsGltf : run->gltf );
 	int32_t base = toolFindClip( model, info->clip );
-	if ( base == SOLE_NONE )
+	bool rest = base == SOLE_NONE && strcmp( info->clip, TOOL_REST_CLIP ) == 0;
+	if ( base == SOLE_NONE && rest == false )
 	{
 		return toolFail( error, "%s: clip '%s', which '%s' was made from, is not in it: name its file with --clips",
 		    options->file, info->clip, options->clip );
 	}
 	snprintf( run->method, sizeof run->method, "%s", info->method );
-	bool good = toolBindClip( &run->character, model, base, &run->bound, error ) &&
+	if ( rest )
+	{
+		toolBindRest( &run->bound );
+	}
+	bool good = ( rest || toolBindClip( &run->character, model, base, &run->bound, error ) ) &&
 	    toolRebuildTake( &run->character, clip, info, &run->bound, &run->take, error );
 	return good || toolFailIn( error, options->file );
 }

@@ -49,6 +49,10 @@ typedef struct toolBoundClip
 /// ("mixamorig:", "Avatar_"). Refused: a clip that moves no leg joint, and one of more than an hour.
 bool toolBindClip(
     const toolCharacter* character, const toolModel* clipModel, int32_t clip, toolBoundClip* bound, toolError* error );
+/// What a character without clips does: it stands in its rest pose for a second. Stands for a clip of the name
+/// TOOL_REST_CLIP.
+void toolBindRest( toolBoundClip* bound );
+#define TOOL_REST_CLIP "rest"
 void toolFreeBoundClip( toolBoundClip* bound );
 
 /// The pose in which no clip moves anything: the file's rest pose at the character's scale.
