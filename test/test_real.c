@@ -201,6 +201,7 @@ static void otherCharactersPlaceTheirFeetOnTheOzzFloor( void** state )
 		    1e3 * take.figures.all.penetration.mean, 1e3 * none.all.penetration.mean,
 		    1e3 * take.flat.all.penetration.mean, take.figures.all.overExtended );
 		assert_int_equal( take.figures.all.overExtended, 0 );
+		assert_true( take.figures.all.penetration.mean <= 0.02 );
 		double own = take.flat.all.penetration.mean; // what the clip itself has under its floor
 		assert_true( take.figures.all.penetration.mean <= fmax( none.all.penetration.mean, own ) + 0.001 );
 		testCloseTake( &take );

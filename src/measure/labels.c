@@ -19,6 +19,7 @@ enum
 {
 	sole_trackHeel,
 	sole_trackBall,
+	sole_trackTip, // of the toes: only asked where a clip stands on them alone
 	sole_trackCount
 };
 
@@ -30,7 +31,7 @@ typedef struct soleTracks
 	double rate;
 	double legLength; // longest, in the space of the tracks
 	soleVec3d up;
-	soleVec3d* points; // frame, leg, heel or ball
+	soleVec3d* points; // frame, leg, heel, ball or tip of the toes
 	soleVec3d* pelvis; // frame
 } soleTracks;
 
@@ -90,6 +91,7 @@ static bool soleMakeTracks( const soleMotion* motion, bool world, const soleAllo
 			    soleGetCarried( &pose, soleGetHeelPoint( rig, leg ) );
 			*soleTrackPoint( tracks, frame, leg, sole_trackBall ) =
 			    soleGetCarried( &pose, soleGetBallPoint( rig, leg ) );
+			*soleTrackPoint( tracks, frame, leg, sole_trackTip ) = soleGetCarried( &pose, soleGetTipPoint( rig, leg ) );
 		}
 	}
 	soleFreeMeasurePose( allocator, &pose );
@@ -148,7 +150,9 @@ static bool soleIsLevel( const soleTracks* tracks, soleVec3d velocity )
 	return climb < fmax( SLOW * tracks->legLength, SPEED_SHARE * along );
 }
 
-static int32_t soleGatherHeights( const soleTracks* tracks, bool onlyLevel, double* heights )
+/// Of the tracks from first to last.
+static int32_t soleGatherHeights(
+    const soleTracks* tracks, int32_t firstTrack, int32_t lastTrack, bool onlyLevel, double* heights )
 {
 	int32_t count = 0;
 	for ( int32_t i = 0; i < tracks->frameCount * tracks->legCount * sole_trackCount; ++i )
@@ -159,7 +163,7 @@ static int32_t soleGatherHeights( const soleTracks* tracks, bool onlyLevel, doub
 		double height = soleDotD( tracks->points[i], tracks->up );
 		// What is not finite fails the comparisons.
 		bool level = onlyLevel == false || soleIsLevel( tracks, soleTrackVelocity( tracks, frame, leg, track ) );
-		if ( level && fabs( height ) < HUGE_VAL )
+		if ( track >= firstTrack && track <= lastTrack && level && fabs( height ) < HUGE_VAL )
 		{
 			heights[count++] = height;
 		}
@@ -177,12 +181,20 @@ static bool soleFindFloor( const soleTracks* tracks, double* floor )
 	{
 		return false;
 	}
-	int32_t count = soleGatherHeights( tracks, true, heights );
+	int32_t count = soleGatherHeights( tracks, sole_trackHeel, sole_trackBall, true, heights );
 	// A clip in which nothing ever stands still is on the floor where it is lowest.
-	count = count > 0 ? count : soleGatherHeights( tracks, false, heights );
+	count = count > 0 ? count : soleGatherHeights( tracks, sole_trackHeel, sole_trackBall, false, heights );
 	if ( count > 0 )
 	{
 		*floor = soleFindLowestCluster( heights, count, tracks->legLength );
+	}
+	// Where the tips of the toes are mostly lower than that, the clip goes on tiptoe.
+	int32_t tips = soleGatherHeights( tracks, sole_trackTip, sole_trackTip, false, heights );
+	if ( count > 0 && tips > 0 )
+	{
+		qsort( heights, (size_t)tips, sizeof *heights, soleCompareDoubles );
+		bool tiptoe = heights[tips / 2] < *floor - CLUSTER * tracks->legLength;
+		*floor = tiptoe ? soleFindLowestCluster( heights, tips, tracks->legLength ) : *floor;
 	}
 	soleFree( NULL, heights, capacity * sizeof *heights );
 	return count > 0;
@@ -420,7 +432,7 @@ soleResult soleLabelContacts(
 	}
 	for ( int32_t leg = 0; leg < tracks.legCount; ++leg )
 	{
-		for ( int32_t track = 0; track < sole_trackCount; ++track )
+		for ( int32_t track = 0; track <= sole_trackBall; ++track )
 		{
 			uint8_t bit = track == sole_trackHeel ? sole_labelHeel : sole_labelToe;
 			soleMarkContacts( &tracks, def, floor, leg, track, bit, labels );

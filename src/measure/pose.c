@@ -82,6 +82,12 @@ soleCarriedPoint soleGetBallPoint( const soleRig* rig, int32_t leg )
 	return ( soleCarriedPoint ){ soleRig_GetFootJoint( rig, leg, true ), soleRig_ToFootSpace( rig, leg, ball, true ) };
 }
 
+soleCarriedPoint soleGetTipPoint( const soleRig* rig, int32_t leg )
+{
+	soleVec3 tip = soleRig_GetLeg( rig, leg ).sole.toe;
+	return ( soleCarriedPoint ){ soleRig_GetFootJoint( rig, leg, true ), soleRig_ToFootSpace( rig, leg, tip, true ) };
+}
+
 soleVec3d soleGetCarried( const soleMeasurePose* pose, soleCarriedPoint point )
 {
 	return soleTransformPointD( pose->joints[point.joint], soleWiden( point.position ) );

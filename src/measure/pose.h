@@ -35,6 +35,7 @@ typedef struct soleCarriedPoint
 soleCarriedPoint soleGetHeelPoint( const soleRig* rig, int32_t leg );
 /// Carried by the fore part, as what stays on the ground while the heel is raised.
 soleCarriedPoint soleGetBallPoint( const soleRig* rig, int32_t leg );
+soleCarriedPoint soleGetTipPoint( const soleRig* rig, int32_t leg );
 soleVec3d soleGetCarried( const soleMeasurePose* pose, soleCarriedPoint point );
 
 /// Hip to ankle of a leg, a virtual ankle included, in the space that was evaluated.
