@@ -114,6 +114,11 @@ static void breakLimits( soleRigDef* def, testBiped* biped )
 	(void)biped;
 	def->legs[0].ankleLimits.twist = -1.0f;
 }
+static void breakLengthInfinite( soleRigDef* def, testBiped* biped )
+{
+	(void)def;
+	biped->bindPose[biped_kneeL].translation.y = -1e25f;
+}
 static void breakLength( soleRigDef* def, testBiped* biped )
 {
 	(void)def;
@@ -142,7 +147,8 @@ static void everyBadDefinitionIsRefusedByName( void** state )
 		{ breakUp, "up" }, { breakLegJointCount, "legs[1].jointCount" }, { breakLegJoint, "legs[1].joints[2]" },
 		{ breakLegOrder, "legs[0].joints[" }, { breakDetached, "legs[0].detachedFoot" },
 		{ breakToeCount, "legs[0].toeCount" }, { breakToe, "legs[0].toes[0]" }, { breakSole, "legs[0].sole.heel" },
-		{ breakLimits, "legs[0].ankleLimits" }, { breakLength, "legs[0]" }, { breakHinge, "legs[0].hinge" } };
+		{ breakLimits, "legs[0].ankleLimits" }, { breakLength, "legs[0]" }, { breakLengthInfinite, "too long" },
+		{ breakHinge, "legs[0].hinge" } };
 	for ( size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i )
 	{
 		testBiped biped;

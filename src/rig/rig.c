@@ -217,6 +217,12 @@ static soleResult soleBakeLeg( const soleRigDef* def, soleRig* rig, int32_t inde
 		    index, leg->name );
 		return sole_invalidDefinition;
 	}
+	if ( soleIsFinite( leg->length ) == false )
+	{
+		soleSetMessage(
+		    message, "legs[%d]: '%s' is too long in the bind pose for a float: check its scale", index, leg->name );
+		return sole_invalidDefinition;
+	}
 	leg->kneeIndex = soleChooseKnee( points, count, leg->length );
 	soleVec3 hinge = leg->def.hinge;
 	if ( !( soleDot( hinge, hinge ) > 1e-12f ) && leg->kneeIndex > 0 )
