@@ -124,36 +124,31 @@ static void compareProbes( const soleHeightField* f, uint32_t seed, bool spheres
 	soleDestroyGround( mesh );
 }
 
-static void raysAnswerAsOnTheSameMesh( void** state )
+static void compareFields( uint32_t turnSeed, uint32_t probeSeed, bool spheres, int32_t probesEach )
 {
-	(void)state;
 	for ( uint32_t seed = 1; seed <= 12; ++seed )
 	{
 		float heights[COUNT_X * COUNT_Z];
-		uint32_t turn = seed * 7;
+		uint32_t turn = seed * turnSeed;
 		soleHeightField f = makeDef( seed, heights, seed % 3 == 0 );
 		if ( seed > 2 )
 		{
 			turnDef( &f, &turn );
 		}
-		compareProbes( &f, seed * 13, false, 3000 );
+		compareProbes( &f, seed * probeSeed, spheres, probesEach );
 	}
+}
+
+static void raysAnswerAsOnTheSameMesh( void** state )
+{
+	(void)state;
+	compareFields( 7, 13, false, 3000 );
 }
 
 static void spheresAnswerAsOnTheSameMesh( void** state )
 {
 	(void)state;
-	for ( uint32_t seed = 1; seed <= 12; ++seed )
-	{
-		float heights[COUNT_X * COUNT_Z];
-		uint32_t turn = seed * 5;
-		soleHeightField f = makeDef( seed, heights, seed % 3 == 0 );
-		if ( seed > 2 )
-		{
-			turnDef( &f, &turn );
-		}
-		compareProbes( &f, seed * 17, true, 1500 );
-	}
+	compareFields( 5, 17, true, 1500 );
 }
 
 static void verticalRaysHitBordersOfCells( void** state )

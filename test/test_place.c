@@ -59,6 +59,16 @@ static soleFrame makeFrame( const soleTransform* pose )
 		.weight = 1.0f };
 }
 
+/// The same local pose: translations within a tolerance, rotations within 1e-6 of the cosine of half their angle.
+static void nearPose( const soleTransform* a, const soleTransform* b, float tolerance )
+{
+	for ( int j = 0; j < biped_count; ++j )
+	{
+		testNear3( a[j].translation, b[j].translation, tolerance );
+		assert_true( fabsf( soleDotQuat( a[j].rotation, b[j].rotation ) ) > 1.0f - 1e-6f );
+	}
+}
+
 /// Stands for a second and gives the pose.
 static soleOutput stand(
     const testBiped* biped, const soleTransform* pose, soleTransform root, const Ground* ground, soleTransform* placed )
@@ -100,11 +110,7 @@ static void flatGroundChangesNothing( void** state )
 	{
 		testBendKnees( pose, 0.05f + 0.15f * (float)k );
 		soleOutput out = stand( &biped, pose, soleTransform_Identity(), &flatGround, placed );
-		for ( int j = 0; j < biped_count; ++j )
-		{
-			testNear3( placed[j].translation, pose[j].translation, 1e-5f );
-			assert_true( fabsf( soleDotQuat( placed[j].rotation, pose[j].rotation ) ) > 1.0f - 1e-6f );
-		}
+		nearPose( placed, pose, 1e-5f );
 		assert_true( ( out.legs[0].flags & sole_legPlanted ) != 0 );
 	}
 	soleDestroyRig( biped.rig );
@@ -192,11 +198,7 @@ static void turnedWorldsGiveTheTurnedPose( void** state )
 		soleTransform root = soleTransform_Identity();
 		root.rotation = q;
 		stand( &biped, pose, root, &ground, turned );
-		for ( int j = 0; j < biped_count; ++j )
-		{
-			testNear3( turned[j].translation, placed[j].translation, 2e-5f );
-			assert_true( fabsf( soleDotQuat( turned[j].rotation, placed[j].rotation ) ) > 1.0f - 1e-6f );
-		}
+		nearPose( turned, placed, 2e-5f );
 	}
 	soleDestroyRig( biped.rig );
 }
@@ -219,11 +221,7 @@ static void scaledWorldsGiveTheSamePose( void** state )
 		soleTransform root = soleTransform_Identity();
 		root.scale = soleVec( scales[k], scales[k], scales[k] );
 		stand( &biped, pose, root, &ground, scaled );
-		for ( int j = 0; j < biped_count; ++j )
-		{
-			testNear3( scaled[j].translation, placed[j].translation, 2e-4f );
-			assert_true( fabsf( soleDotQuat( scaled[j].rotation, placed[j].rotation ) ) > 1.0f - 1e-6f );
-		}
+		nearPose( scaled, placed, 2e-4f );
 	}
 	soleDestroyRig( biped.rig );
 }
@@ -275,11 +273,7 @@ static void weightZeroAndNoGroundLeaveThePose( void** state )
 		soleTransform placed[biped_count];
 		memcpy( placed, biped.bindPose, sizeof placed );
 		soleApply( biped.rig, &out, placed );
-		for ( int j = 0; j < biped_count; ++j )
-		{
-			testNear3( placed[j].translation, biped.bindPose[j].translation, 1e-5f );
-			assert_true( fabsf( soleDotQuat( placed[j].rotation, biped.bindPose[j].rotation ) ) > 1.0f - 1e-6f );
-		}
+		nearPose( placed, biped.bindPose, 1e-5f );
 		assert_int_equal( ( out.legs[0].flags & sole_legNoGround ) != 0, k == 1 );
 	}
 	soleDestroyRig( biped.rig );

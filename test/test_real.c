@@ -21,6 +21,18 @@ static const testBake gentleGrounds[] = {
 	{ .ground = TEST_MAP, .x = 37.0, .z = -85.0, .heading = 90.0, .distance = 8.0 },  // and down
 };
 
+/// Bakes with both methods. The take is left with what Sole made of it, the figures of none are returned.
+static soleFigures bakeNoneAndSole( testBake* bake, testTake* take )
+{
+	testOpenTake( bake, take );
+	bake->method = "none";
+	testBakeTake( bake, take );
+	soleFigures none = take->figures;
+	bake->method = "sole";
+	testBakeTake( bake, take );
+	return none;
+}
+
 static void walkOverGentleGround( const char* character, const char* clip )
 {
 	for ( size_t i = 0; i < sizeof gentleGrounds / sizeof gentleGrounds[0]; ++i )
@@ -29,12 +41,7 @@ static void walkOverGentleGround( const char* character, const char* clip )
 		bake.character = character;
 		bake.clip = clip;
 		testTake take;
-		testOpenTake( &bake, &take );
-		bake.method = "none";
-		testBakeTake( &bake, &take );
-		soleFigures none = take.figures;
-		bake.method = "sole";
-		testBakeTake( &bake, &take );
+		soleFigures none = bakeNoneAndSole( &bake, &take );
 		const soleLegFigures* all = &take.figures.all;
 		print_message( "%s %s %s: penetration %.1f mm (none %.1f), hover %.1f mm, knee %.2f, over-extended %d\n", clip,
 		    bake.ground, bake.heading > 180.0 ? "westwards" : "", 1e3 * all->penetration.p95,
@@ -107,12 +114,7 @@ static void bakeOverAll( const char* character, const char* const* clips, int32_
 			bake.character = character;
 			bake.clip = clips[i];
 			testTake take;
-			testOpenTake( &bake, &take );
-			bake.method = "none";
-			testBakeTake( &bake, &take );
-			soleFigures none = take.figures;
-			bake.method = "sole";
-			testBakeTake( &bake, &take );
+			soleFigures none = bakeNoneAndSole( &bake, &take );
 			print_message( "%s on %s: penetration %.1f mm (none %.1f), over-extended %d\n", clips[i], bake.ground,
 			    1e3 * take.figures.all.penetration.p95, 1e3 * none.all.penetration.p95, take.figures.all.overExtended );
 			assert_int_equal( take.figures.all.overExtended, 0 );
@@ -191,12 +193,7 @@ static void otherCharactersPlaceTheirFeetOnTheOzzFloor( void** state )
 		bake.heading = 90.0;
 		bake.distance = 5.0;
 		testTake take;
-		testOpenTake( &bake, &take );
-		bake.method = "none";
-		testBakeTake( &bake, &take );
-		soleFigures none = take.figures;
-		bake.method = "sole";
-		testBakeTake( &bake, &take );
+		soleFigures none = bakeNoneAndSole( &bake, &take );
 		print_message( "%s: mean penetration %.1f mm (none %.1f, flat %.1f), over-extended %d\n", bake.character,
 		    1e3 * take.figures.all.penetration.mean, 1e3 * none.all.penetration.mean,
 		    1e3 * take.flat.all.penetration.mean, take.figures.all.overExtended );

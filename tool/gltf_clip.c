@@ -6,33 +6,31 @@
 #include <stdlib.h>
 #include <string.h>
 
+/// Which of three words it is, else -1.
+static int toolFindWord( const char* word, const char* const words[3] )
+{
+	int found = -1;
+	for ( int i = 0; i < 3 && found < 0; ++i )
+	{
+		found = strcmp( word, words[i] ) == 0 ? i : -1;
+	}
+	return found;
+}
+
 static bool toolFindPath( const char* name, toolPath* path )
 {
-	static const char* const names[] = { "translation", "rotation", "scale" };
-	for ( int i = 0; i < 3; ++i )
-	{
-		if ( strcmp( name, names[i] ) == 0 )
-		{
-			*path = (toolPath)i;
-			return true;
-		}
-	}
-	return false;
+	static const char* const names[3] = { "translation", "rotation", "scale" };
+	int found = toolFindWord( name, names );
+	*path = found >= 0 ? (toolPath)found : *path;
+	return found >= 0;
 }
 
 static bool toolFindInterpolation( const char* name, toolInterpolation* interpolation )
 {
-	static const char* const names[] = { "LINEAR", "STEP", "CUBICSPLINE" };
-	*interpolation = tool_linear;
-	for ( int i = 0; i < 3; ++i )
-	{
-		if ( strcmp( name, names[i] ) == 0 )
-		{
-			*interpolation = (toolInterpolation)i;
-			return true;
-		}
-	}
-	return *name == 0; // the default
+	static const char* const names[3] = { "LINEAR", "STEP", "CUBICSPLINE" };
+	int found = toolFindWord( name, names );
+	*interpolation = found >= 0 ? (toolInterpolation)found : tool_linear;
+	return found >= 0 || *name == 0; // the default
 }
 
 static bool toolCheckKeys( toolGltfReader* reader, const char* owner, const toolChannel* channel, int32_t valueCount )

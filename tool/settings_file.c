@@ -194,11 +194,3 @@ char* toolFormatSettings( const soleSettings* settings )
 	free( text );
 	return whole;
 }
-
-bool toolWriteSettings( const char* path, const soleSettings* settings, toolError* error )
-{
-	char* text = toolFormatSettings( settings );
-	bool good = toolWriteFile( path, text, strlen( text ), error );
-	free( text );
-	return good;
-}

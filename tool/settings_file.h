@@ -14,6 +14,5 @@ bool toolParseSettings(
 
 /// All settings as JSON text, in the order of the struct.
 char* toolFormatSettings( const soleSettings* settings );
-bool toolWriteSettings( const char* path, const soleSettings* settings, toolError* error );
 
 #endif
