@@ -238,6 +238,16 @@ typedef struct soleContactInput
 	float toe;
 } soleContactInput;
 
+/// A body that feet may stand on and that moves by itself: a lift, a turntable, a vehicle.
+typedef struct soleSupport
+{
+	/// As hits name it in soleHit.surface.
+	int32_t surface;
+	/// From the body's own frame, whichever the host likes, to this frame's world: rotation and place; the scale is
+	/// not read.
+	soleTransform transform;
+} soleSupport;
+
 /// One frame of one character. Only pose, root, up and timeStep have to be given; zero is a safe value for the rest
 /// but weight (0 switches Sole off).
 typedef struct soleFrame
@@ -256,6 +266,11 @@ typedef struct soleFrame
 	const float* legWeight;
 	/// Per leg. NULL: nothing known.
 	const soleContactInput* contact;
+	/// Where the bodies are now that feet may stand on, each surface once. A foot that is planted on one of them is
+	/// held in its frame. Bodies that are not listed but whose hits have a velocity carry a foot by that velocity.
+	/// NULL: none.
+	const soleSupport* supports;
+	int32_t supportCount;
 	/// Height of the clip's own floor over the character's origin, along the rig's up, character space.
 	float clipFloor;
 	/// Set when the character was moved by a jump that is no motion: all memory of the last frame is dropped.
