@@ -3,6 +3,8 @@
 // parent-local, roots take character space to the world of the ground.
 #include "bake.h"
 
+#include "steps.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,9 +86,13 @@ static void toolAllocTake( toolBakeResult* result )
 	result->pelvis = toolAlloc( frames, sizeof *result->pelvis );
 }
 
-static void toolStepFrame( const toolCharacter* character, const soleGround* ground, const toolBakeDef* def,
-    void* memory, int32_t frameIndex, toolBakeResult* result )
+static void toolStepFrame( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
+    const toolSteps* steps, const soleGround* ground, const toolBakeDef* def, void* memory, int32_t frameIndex,
+    toolBakeResult* result )
 {
+	soleContactInput contacts[SOLE_MAX_LEGS];
+	soleStepInput inputs[SOLE_MAX_LEGS];
+	toolReadSteps( character, bound, travel, steps, &result->walk, frameIndex, contacts, inputs );
 	size_t joints = (size_t)result->jointCount;
 	size_t legs = (size_t)result->legCount;
 	size_t i = (size_t)frameIndex;
@@ -96,6 +102,8 @@ static void toolStepFrame( const toolCharacter* character, const soleGround* gro
 		.up = soleVec( 0.0f, 1.0f, 0.0f ),
 		.timeStep = i > 0 ? (float)( 1.0 / result->walk.fps ) : 0.0f,
 		.weight = 1.0f,
+		.contact = contacts,
+		.steps = inputs,
 		.clipFloor = result->clipFloor,
 		.teleport = result->walk.jumps[i],
 	};
@@ -159,15 +167,18 @@ bool toolBake( const toolCharacter* character, const toolBoundClip* bound, const
 		return false;
 	}
 	toolAllocTake( result );
+	toolSteps steps;
+	toolFindSteps( character, bound, travel, &steps );
 	void* memory = def->method->init != NULL ? def->method->init( character ) : NULL;
 	for ( int32_t i = 0; i < result->walk.frameCount; ++i )
 	{
 		soleTransform own; // is in the walk's roots
 		soleTransform* pose = result->input + (size_t)i * (size_t)result->jointCount;
 		toolSampleLooped( character, bound, travel, result->walk.clipTimes[i], pose, &own );
-		toolStepFrame( character, ground, &complete, memory, i, result );
+		toolStepFrame( character, bound, travel, &steps, ground, &complete, memory, i, result );
 	}
 	free( memory );
+	toolFreeSteps( &steps );
 	return true;
 }
 

@@ -90,6 +90,13 @@ SOLE_API soleVec3 soleFindStrideVelocity( const soleMotion* motion );
 SOLE_API soleResult soleLabelContacts(
     const soleMotion* motion, const soleLabelDef* def, const soleAllocator* allocator, uint8_t* labels );
 
+/// The steps of a motion over flat ground, by its labels, in the order of their beginnings; of one that loops, those
+/// that begin in its middle third, counted from there: give three rounds of it.
+/// @param labels as soleLabelContacts() makes them
+/// @return how many there are; at most capacity are written. 0 without memory.
+SOLE_API int32_t soleFindSteps( const soleMotion* motion, const uint8_t* labels, bool loops,
+    const soleAllocator* allocator, soleStep* steps, int32_t capacity );
+
 // -------------------------------------------------------------------------------------------------------- figures
 
 typedef struct soleStat

@@ -78,6 +78,25 @@ SOLE_API void soleApply( const soleRig* rig, const soleOutput* output, soleTrans
 /// Tells Sole that a state's character was moved by a jump that is no motion. The same as soleFrame.teleport.
 SOLE_API void soleState_Reset( soleState* state );
 
+// ---------------------------------------------------------------------------------------------------------- steps
+
+/// What a list of steps says about one leg at a time of the clip: for soleFrame.contact and soleFrame.steps.
+/// @param duration of the clip, s. The list goes on from its start after its end where it loops.
+/// @param step its place and heading are as seen from where the root will be at the strike: bring them to where it is
+/// now with soleStepInput_Travel()
+SOLE_API void soleGetStepInput( const soleStep* steps, int32_t stepCount, float duration, bool loops, float time,
+    int32_t leg, soleContactInput* contact, soleStepInput* step );
+
+/// Place and heading of a step as seen from where the root is now.
+/// @param travel what the root does between now and the strike, character space: from the clip, or from
+/// soleExtrapolate()
+SOLE_API void soleStepInput_Travel( soleStepInput* step, soleTransform travel );
+
+/// What a root does that goes on as it goes now: on an arc about up, for a turn of at most half a circle.
+/// @param velocity along the floor, units/s
+/// @param turnRate about up, rad/s
+SOLE_API soleTransform soleExtrapolate( soleVec3 velocity, float turnRate, soleVec3 up, float time );
+
 // -------------------------------------------------------------------------------------------------------- kernels
 
 /// Two bones and where their end should be, in any one space.

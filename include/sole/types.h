@@ -140,6 +140,7 @@ typedef struct soleSettings
 		float radius;           // of spheres. L [0.001, 0.3] default 0.05
 		float stepUp;           // start of a probe above the reference height. L [0.05, 2] default 0.45
 		float stepDown;         // end of a probe below the reference height. L [0.05, 4] default 0.55
+		float looseSize;        // loose things smaller than this are no ground. L [0, 2] default 0.1
 		uint32_t mask;          // layers that are asked for. default all
 	} probe;
 
@@ -170,6 +171,13 @@ typedef struct soleSettings
 		float fadeIn;          // time in which a planted leg gets its full say in the pelvis. s [0, 1] default 0.12
 		float fadeOut;         // time in which a released leg loses it. s [0, 1] default 0.2
 	} contact;
+
+	struct
+	{
+		float shift;  // furthest that a step is shifted along the foot to stand better. L [0, 0.5] default 0.18
+		float share;  // a sole that bears with this share of its length stands well. [0, 1] default 0.75
+		float freeze; // the place of a step is settled this long before the foot comes down. s [0, 1] default 0.07
+	} foothold;
 
 	struct
 	{
@@ -238,6 +246,37 @@ typedef struct soleContactInput
 	float toe;
 } soleContactInput;
 
+/// What the host knows of the steps of a leg, from the clip: soleGetStepInput() reads it from a list of steps.
+typedef struct soleStepInput
+{
+	/// Time since the foot came down or left, s. Below zero: not known.
+	float since;
+	/// Time until the foot leaves or comes down, s. Below zero: not known, Sole then goes by what is under the foot.
+	float until;
+	/// In flight: where its ball will stand on the clip's floor, and how it will be headed, as seen from where the
+	/// root is now. Character space.
+	soleVec3 place;
+	soleVec3 forward;
+} soleStepInput;
+
+/// One step of a leg in a clip, from when the foot comes down to when it has left: soleFindSteps() finds them. Times
+/// are seconds since the clip's start. A step that the clip's end cuts through goes on beyond it in a clip that loops;
+/// one that has no beginning or end in the clip begins at -SOLE_STEP_ENDLESS or ends at SOLE_STEP_ENDLESS.
+typedef struct soleStep
+{
+	int32_t leg;
+	float strike;           // the first part of the foot comes down
+	float lift;             // the last part leaves
+	float heelDown, heelUp; // of the heel alone; equal where it never touches
+	float toeDown, toeUp;   // of the toes
+	/// Where the flat foot's ball stands, as seen from where the root is at the strike, and its heading, unit.
+	/// Character space.
+	soleVec3 place;
+	soleVec3 forward;
+} soleStep;
+
+#define SOLE_STEP_ENDLESS 1e9f
+
 /// A body that feet may stand on and that moves by itself: a lift, a turntable, a vehicle.
 typedef struct soleSupport
 {
@@ -266,6 +305,8 @@ typedef struct soleFrame
 	const float* legWeight;
 	/// Per leg. NULL: nothing known.
 	const soleContactInput* contact;
+	/// Per leg. NULL: nothing known. Counts only beside contact.
+	const soleStepInput* steps;
 	/// Where the bodies are now that feet may stand on, each surface once. A foot that is planted on one of them is
 	/// held in its frame. Bodies that are not listed but whose hits have a velocity carry a foot by that velocity.
 	/// NULL: none.
@@ -312,6 +353,9 @@ typedef struct soleHit
 	soleVec3 normal_w;
 	/// Velocity of the surface at the point, world.
 	soleVec3 velocity_w;
+	/// Largest extent of a loose thing that was met, world: feet do not climb those that are smaller than
+	/// settings.probe.looseSize. 0: not loose, or not known.
+	float size;
 	/// start_w of the probe that this answers; lets answers be late by a frame or more.
 	soleVec3 asked_w;
 } soleHit;
@@ -341,8 +385,11 @@ typedef struct soleLegState
 	soleVec3 animBall_w;
 	soleVec3 lockPoint_w;   // where the locked sole point is held
 	soleVec3 lockForward_w; // the heading at which the foot was locked
-	soleVec3 planePoint_w;  // the support plane of the last frame
+	soleVec3 planePoint_w;  // the support plane of the last frame, or from which the foot has set out
 	soleVec3 planeNormal_w;
+	soleVec3 stepPlace_w; // where it is going to, ball
+	soleVec3 stepNormal_w;
+	float stepRise;       // by which its path is raised over what lies between
 	soleOffset3 slide;    // horizontal offset of the foot from the animation
 	soleOffset1 turn;     // heading offset, tan( angle / 4 )
 	soleOffset1 height;   // what is left of ground steps
@@ -387,6 +434,8 @@ typedef enum soleLegFlags
 	sole_legCaptured = 1 << 10,    // a lock began this frame
 	sole_legDegenerate = 1 << 11,  // bones of no length or a target at the hip: the leg is passed through untouched
 	sole_legBadInput = 1 << 12,    // something not finite came in: the leg is passed through untouched
+	sole_legInside = 1 << 13,      // a cast began inside something and was left out
+	sole_legPlanned = 1 << 14,     // the foot is on its way to a foothold that was chosen
 	sole_legFlagsForce32 = 0x7fffffff
 } soleLegFlags;
 

@@ -54,6 +54,7 @@ static void soleShiftState( soleState* state, const soleFrame* frame, int32_t le
 		leg->animBall_w = soleAdd( leg->animBall_w, shift );
 		leg->lockPoint_w = soleAdd( leg->lockPoint_w, shift );
 		leg->planePoint_w = soleAdd( leg->planePoint_w, shift );
+		leg->stepPlace_w = soleAdd( leg->stepPlace_w, shift );
 	}
 }
 
@@ -68,13 +69,14 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		finite = finite && soleVec3_IsFinite( leg->animHeel_w ) && soleVec3_IsFinite( leg->animBall_w ) &&
 		    soleVec3_IsFinite( leg->lockPoint_w ) && soleVec3_IsFinite( leg->lockForward_w ) &&
 		    soleVec3_IsFinite( leg->planePoint_w ) && soleVec3_IsFinite( leg->planeNormal_w ) &&
-		    soleVec3_IsFinite( leg->slide.value ) && soleVec3_IsFinite( leg->slide.velocity ) &&
-		    soleVec3_IsFinite( leg->gradient.value ) && soleVec3_IsFinite( leg->gradient.velocity ) &&
-		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
-		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
-		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->say ) && soleIsFinite( leg->contactTime ) &&
-		    soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
-		    soleIsFinite( leg->ballSpeed );
+		    soleVec3_IsFinite( leg->stepPlace_w ) && soleVec3_IsFinite( leg->stepNormal_w ) &&
+		    soleIsFinite( leg->stepRise ) && soleVec3_IsFinite( leg->slide.value ) &&
+		    soleVec3_IsFinite( leg->slide.velocity ) && soleVec3_IsFinite( leg->gradient.value ) &&
+		    soleVec3_IsFinite( leg->gradient.velocity ) && soleIsFinite( leg->turn.value ) &&
+		    soleIsFinite( leg->turn.velocity ) && soleIsFinite( leg->height.value ) &&
+		    soleIsFinite( leg->height.velocity ) && soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->say ) &&
+		    soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise ) &&
+		    soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
 	}
 	return finite;
 }
@@ -105,6 +107,20 @@ static void soleForget( soleState* state, int32_t legCount )
 	state->rootSuspect = 0.0f;
 	state->pelvis = ( soleOffset1 ){ 0.0f, 0.0f };
 	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
+}
+
+/// What the host knows of a leg's steps, where that is usable.
+static soleStepInput soleTakeStepInput( const soleFrame* frame, int32_t leg )
+{
+	soleStepInput unknown = { .since = -1.0f, .until = -1.0f };
+	if ( frame->steps == NULL )
+	{
+		return unknown;
+	}
+	const soleStepInput* step = frame->steps + leg;
+	bool finite = soleIsFinite( step->since + step->until ) && soleVec3_IsFinite( step->place ) &&
+	    soleVec3_IsFinite( step->forward );
+	return finite ? *step : unknown;
 }
 
 void soleSetUpFrame( solePlaceWork* work )
@@ -139,6 +155,7 @@ void soleSetUpFrame( solePlaceWork* work )
 		soleLegWork* leg = work->legs + i;
 		*leg = ( soleLegWork ){ .rig = work->rig->legs + i, .state = work->state->legs + i, .index = i };
 		leg->out = work->out->legs + i;
+		leg->samples = work->samples[i];
 		float legWeight = frame->legWeight != NULL ? frame->legWeight[i] : 1.0f;
 		leg->weight = soleSaturate( frame->weight ) * soleSaturate( soleFiniteOr( legWeight, 0.0f ) );
 		leg->contactInput = ( soleContactInput ){ -1.0f, -1.0f };
@@ -146,6 +163,7 @@ void soleSetUpFrame( solePlaceWork* work )
 		{
 			leg->contactInput = frame->contact[i];
 		}
+		leg->stepInput = soleTakeStepInput( frame, i );
 	}
 }
 

@@ -97,7 +97,8 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	}
 	soleFindSupport( work, hits, hitCount );
 	soleUpdateContact( work );
-	soleChooseFoothold( work );
+	soleChooseFootholds( work );
+	soleUpdateLocks( work );
 	soleSetTargets( work );
 	soleMovePelvis( work );
 	soleSolveLegs( work );

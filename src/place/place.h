@@ -18,8 +18,21 @@ enum
 	sole_stateByHeel = 1 << 1, // lockPoint_w is the heel's place, else the ball's
 	sole_stateHeelOn = 1 << 2, // contact of heel and toe, with hysteresis
 	sole_stateToeOn = 1 << 3,
-	sole_stateBarred = 1 << 4, // a lock was given up: no new one before the foot has been free
+	sole_stateBarred = 1 << 4,  // a lock was given up: no new one before the foot has been free
+	sole_statePlanned = 1 << 5, // in flight to stepPlace_w
 };
+
+/// What the ground is like at one place that was asked for.
+typedef struct soleGroundSample
+{
+	soleVec3 place;    // as asked; its height means nothing
+	bool found;        // else nothing is there
+	bool steep;        // the face cannot be walked on
+	float height;      // along up
+	soleVec3 gradient; // of the face, horizontal
+	int32_t surface;
+	soleVec3 velocity; // of the surface, world
+} soleGroundSample;
 
 /// A plane with its normal's height taken apart: height over a place x is height + dot( gradient, x - point ), with the
 /// gradient horizontal.
@@ -41,6 +54,7 @@ typedef struct soleLegWork
 	float length; // of the bones now, world
 	bool usable;  // finite and of some length
 	soleContactInput contactInput;
+	soleStepInput stepInput;
 
 	// sense: the animated leg
 	soleVec3 joints[SOLE_MAX_LEG_JOINTS + 1]; // hip first, (virtual) ankle last
@@ -56,24 +70,37 @@ typedef struct soleLegWork
 	float heelSpeed, ballSpeed;          // over the ground, with the root's motion
 	soleVec3 ballVelocity, heelVelocity; // horizontal
 
-	// probe: what the probes were aimed at
+	// probe: what the probes are aimed at
 	soleVec3 soleCenter;  // ball of the flat sole, horizontal place
 	soleVec3 soleForward; // its heading
 	bool flying;          // fast enough to run into something
 	soleVec3 tip;         // of the toes of a foot in flight
+	bool foreseen;        // in flight, and where and when it will come down is known
+	soleVec3 landing;     // ball of the flat sole then, as the animation has it
+	soleVec3 landingForward;
 
 	// support
-	solePlane raw;   // the plane that carries the sole, as the ground is now
-	solePlane plane; // with what is left of earlier ground
-	float toeSlope;  // rise per length of the ground in front of the ball, over the plane
+	soleGroundSample* samples;
+	int32_t sampleCount;
 	bool hasGround;
+	solePlane raw;  // the plane that carries the sole, as the ground is now
+	float toeSlope; // rise per length of the ground in front of the ball, over the plane
+	int32_t surface;
+	soleVec3 surfaceVelocity; // world
 
 	// contact
-	bool touches;         // is in contact, held or not
-	bool touched;         // was so a frame ago
+	bool touches;     // is in contact, held or not
+	bool touched;     // was so a frame ago
+	float letGoSpeed; // at which a foot is let go; 0: the host said so
+	float since;      // the change of contact happened so long before the end of this frame, s
+
+	// foothold
+	bool planned;       // in flight to stepPlace
+	soleVec3 stepPlace; // of the ball
+	solePlane plane;    // raw with what is left of earlier ground
+
+	// lock
 	bool planted;         // is held
-	float letGoSpeed;     // at which a foot is let go; 0: the host said so
-	float since;          // the change of contact happened so long before the end of this frame, s
 	soleVec3 anchor;      // animated point that is held or led: ball or heel, dropped on the clip's floor
 	soleVec3 anchorGoal;  // where it goes, horizontal place
 	soleQuat turn;        // heading offset about up
@@ -116,6 +143,7 @@ typedef struct solePlaceWork
 
 	int32_t legCount;
 	soleLegWork legs[SOLE_MAX_LEGS];
+	soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
 } solePlaceWork;
 
 static inline soleVec3 soleHorizontal( const solePlaceWork* work, soleVec3 v )
@@ -141,19 +169,20 @@ static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point
 	return ( solePlane ){ point, soleNormalizeOr( soleSub( work->up, gradient ), work->up ), gradient };
 }
 
-/// Probes ahead of a foot in flight, for what it has to pass over next.
-#define SOLE_AHEAD 2
-
-/// How many probes a foot asks for under its sole, and in all: depends on settings alone.
-static inline int32_t soleProbesPerSole( const soleSettings* settings )
+/// The part of a foot's place that a tilted plane adds: the ankle stands over its animated place, so the sole moves
+/// uphill by what the ankle would else move downhill. Horizontal.
+static inline soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWork* leg, soleVec3 normal )
 {
-	return settings->probe.layout == sole_probeQuality ? 18 : ( settings->probe.layout == sole_probeSingle ? 1 : 5 );
+	return soleScale( -leg->rig->ankleHeight * work->rootScale, soleHorizontal( work, normal ) );
 }
 
-static inline int32_t soleProbesPerLeg( const soleSettings* settings )
+static inline int32_t soleMinI( int32_t a, int32_t b )
 {
-	return soleProbesPerSole( settings ) + SOLE_AHEAD;
+	return a < b ? a : b;
 }
+
+/// How many probes a leg asks for: depends on settings alone.
+int32_t soleProbesPerLeg( const soleSettings* settings );
 
 /// How long a leg may be: nothing is softened up to soft, nothing is longer than hard. An animation that stretches
 /// further keeps its own length.
@@ -185,14 +214,16 @@ void soleSetUpFrame( solePlaceWork* work );
 void soleSense( solePlaceWork* work );
 /// What to ask of the ground. @return number of probes written
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity );
-/// Where the flat sole of a leg is aimed at, for asking and for reading the answers.
+/// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
 void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 /// Hits to the plane that carries the sole.
 void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount );
-/// Planted or free, held where.
+/// Which part of the foot is on the ground, and since when.
 void soleUpdateContact( solePlaceWork* work );
-/// Where the next step lands.
-void soleChooseFoothold( solePlaceWork* work );
+/// Where the next step lands, and the plane that the foot follows on its way.
+void soleChooseFootholds( solePlaceWork* work );
+/// Held where.
+void soleUpdateLocks( solePlaceWork* work );
 /// Ankle and foot goals.
 void soleSetTargets( solePlaceWork* work );
 /// One offset that all legs can live with.

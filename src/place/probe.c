@@ -2,16 +2,75 @@
 // Probe: what to ask of the ground.
 //
 // The probes of a foot stand on its sole as it would lie flat: measured from the ball along the foot's heading, so that
-// a raised heel or a foot in flight asks for the ground it will come to rest on. A held foot asks where it is held.
+// a raised heel asks for the ground it will come to rest on. A held foot asks where it is held. A foot in flight whose
+// next foothold is foreseen asks there: a strip along its heading, as long as the step may be shifted and shorter the
+// nearer the foot has come, both sides of the ball, and some places on the way there. One in flight that is not
+// foreseen asks under itself and a little ahead of its toes.
 // Each probe is a vertical segment around the reference height (the clip's floor as the root carries it), never around
 // the foot: a foot that is inside a step still finds the step's top.
 #include "place/place.h"
 
-#define FLYING 0.8f // L/s
+#define FLYING 0.8f       // L/s
+#define STRIP_TIME 0.3f   // s before landing from which on the strip gets shorter
+#define STRIP_LEAST 0.02f // L: how far it goes beyond the sole at last
+
+/// How many probes of each kind.
+typedef struct soleProbeCounts
+{
+	int32_t sole;  // under a foot that stands, or flies unforeseen
+	int32_t ahead; // of the latter's toes
+	int32_t strip; // where a foreseen foot will land
+	int32_t sides;
+	int32_t way; // there
+} soleProbeCounts;
+
+static soleProbeCounts soleGetProbeCounts( soleProbeLayout layout )
+{
+	switch ( layout )
+	{
+	case sole_probeQuality:
+		return ( soleProbeCounts ){ 18, 2, 13, 2, 5 };
+	case sole_probeSingle:
+		return ( soleProbeCounts ){ 1, 2, 1, 0, 2 };
+	case sole_probeEconomy:
+	case sole_probeLayoutForce32:
+		break;
+	}
+	return ( soleProbeCounts ){ 5, 2, 11, 2, 5 };
+}
+
+int32_t soleProbesPerLeg( const soleSettings* settings )
+{
+	soleProbeCounts counts = soleGetProbeCounts( settings->probe.layout );
+	int32_t under = counts.sole + counts.ahead;
+	int32_t there = counts.strip + counts.sides + counts.way;
+	return under > there ? under : there;
+}
+
+// ------------------------------------------------------------------------------------------------------------- aim
+
+/// Where the foot will land, if the host tells when, and in flight.
+static void soleForesee( const solePlaceWork* work, soleLegWork* leg )
+{
+	const soleStepInput* step = &leg->stepInput;
+	bool down = leg->contactInput.heel >= 0.5f || leg->contactInput.toe >= 0.5f;
+	bool told = leg->contactInput.heel >= 0.0f || leg->contactInput.toe >= 0.0f;
+	leg->foreseen = told && down == false && step->until >= 0.0f && step->since >= 0.0f && work->first == false;
+	if ( leg->foreseen == false )
+	{
+		return;
+	}
+	soleQuat rotation = soleNormalizeQuat( work->frame->root.rotation );
+	soleVec3 place = soleRotate( rotation, soleMul( work->frame->root.scale, step->place ) );
+	soleVec3 forward = soleHorizontal( work, soleRotate( rotation, step->forward ) );
+	leg->landing = soleAdd( place, soleTiltShift( work, leg, leg->state->planeNormal_w ) );
+	leg->landingForward = soleNormalizeOr( forward, leg->forward );
+}
 
 void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
+	soleForesee( work, leg );
 	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
 	    leg->ballSpeed > FLYING * leg->length;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
@@ -31,6 +90,8 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 	leg->soleForward = soleRotate( soleHalfRotation( work->up, half ), leg->forward );
 	leg->tip = soleMulAdd( leg->soleCenter, leg->rig->toeAhead * work->rootScale, leg->soleForward );
 }
+
+// ---------------------------------------------------------------------------------------------------------- layouts
 
 typedef struct soleProbePlace
 {
@@ -55,52 +116,107 @@ static const soleProbePlace* soleChoosePlaces( soleProbeLayout layout )
 	return layout == sole_probeSingle ? soleSinglePlaces : soleEconomyPlaces;
 }
 
-static soleVec3 soleProbePoint( const solePlaceWork* work, const soleLegWork* leg, soleProbePlace place )
+/// A place of a sole that lies flat with its ball at a center.
+static soleVec3 soleProbePoint(
+    const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward, soleProbePlace place )
 {
 	const soleRigLeg* rig = leg->rig;
 	float ahead = place.ahead < 0.0f ? place.ahead * rig->heelBehind : place.ahead * rig->toeAhead;
 	float sideways = place.sideways < 0.0f ? -place.sideways * rig->innerSide : place.sideways * rig->outerSide;
-	soleVec3 side = soleCross( leg->soleForward, work->up );
-	soleVec3 p = soleMulAdd( leg->soleCenter, ahead * work->rootScale, leg->soleForward );
+	soleVec3 side = soleCross( forward, work->up );
+	soleVec3 p = soleMulAdd( center, ahead * work->rootScale, forward );
 	return soleMulAdd( p, sideways * work->rootScale, side );
 }
 
-/// Where probe k of a leg asks: under the sole, then where its toe tip will be soon.
-static soleVec3 soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, int32_t k )
+/// Probe k of count along the strip: over all of it while the foot is far, over the sole and its ends when near.
+static soleVec3 soleStripPoint(
+    const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, int32_t k, int32_t count )
 {
-	int32_t perSole = soleProbesPerSole( work->settings );
-	if ( k < perSole )
+	float far = soleSaturate( leg->stepInput.until / STRIP_TIME );
+	float beyond = soleMaxF( far * work->settings->foothold.shift, STRIP_LEAST ) * leg->length;
+	float heel = -leg->rig->heelBehind * work->rootScale - beyond;
+	float toe = leg->rig->toeAhead * work->rootScale + beyond;
+	float share = count > 1 ? (float)k / (float)( count - 1 ) : heel / ( heel - toe );
+	return soleMulAdd( center, heel + share * ( toe - heel ), leg->landingForward );
+}
+
+/// Where probe k of a foot asks that will land somewhere.
+static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleVec3* point )
+{
+	soleProbeCounts counts = soleGetProbeCounts( work->settings->probe.layout );
+	const soleLegState* state = leg->state;
+	bool planned = ( state->flags & sole_statePlanned ) != 0;
+	soleVec3 chosen = planned ? soleSub( state->stepPlace_w, work->root_w ) : leg->landing;
+	if ( k < counts.strip )
 	{
-		return soleProbePoint( work, leg, soleChoosePlaces( work->settings->probe.layout )[k] );
+		// As long as it is far off, what the animation means counts; then what was chosen.
+		float far = soleSaturate( leg->stepInput.until / STRIP_TIME );
+		soleVec3 center = soleLerp( chosen, leg->landing, far );
+		*point = soleStripPoint( work, leg, center, k, counts.strip );
+		return true;
 	}
-	float time = work->settings->support.lookAhead * (float)( k - perSole + 1 ) / (float)SOLE_AHEAD;
-	return soleMulAdd( leg->tip, time, leg->ballVelocity );
+	k -= counts.strip;
+	if ( k < counts.sides )
+	{
+		soleProbePlace place = { 0.0f, k == 0 ? -0.8f : 0.8f };
+		*point = soleProbePoint( work, leg, chosen, leg->landingForward, place );
+		return true;
+	}
+	k -= counts.sides;
+	soleVec3 from = soleSub( state->planePoint_w, work->root_w );
+	*point = soleLerp( from, chosen, (float)( k + 1 ) / (float)( counts.way + 1 ) );
+	return k < counts.way;
+}
+
+/// Where probe k of a leg asks. @return false: it does not
+static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleVec3* point )
+{
+	if ( leg->usable == false )
+	{
+		return false;
+	}
+	if ( leg->foreseen )
+	{
+		return soleChooseLandingPoint( work, leg, k, point );
+	}
+	soleProbeCounts counts = soleGetProbeCounts( work->settings->probe.layout );
+	if ( k < counts.sole )
+	{
+		soleProbePlace place = soleChoosePlaces( work->settings->probe.layout )[k];
+		*point = soleProbePoint( work, leg, leg->soleCenter, leg->soleForward, place );
+		return true;
+	}
+	k -= counts.sole;
+	float time = work->settings->support.lookAhead * (float)( k + 1 ) / (float)counts.ahead;
+	*point = soleMulAdd( leg->tip, time, leg->ballVelocity );
+	return leg->flying && k < counts.ahead;
 }
 
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
 	const soleSettings* settings = work->settings;
-	int32_t perSole = soleProbesPerSole( settings );
 	int32_t perLeg = soleProbesPerLeg( settings );
 	int32_t count = 0;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		const soleLegWork* leg = work->legs + i;
-		// Probes that are not needed are asked with no length: how many there are depends on rig and settings alone.
+		float up = settings->probe.stepUp * leg->length;
+		float down = settings->probe.stepDown * leg->length;
 		for ( int32_t k = 0; k < perLeg && count < capacity; ++k )
 		{
-			bool needed = leg->usable && ( k < perSole || leg->flying );
-			soleVec3 point = needed ? soleChoosePoint( work, leg, k ) : soleVec( 0.0f, 0.0f, 0.0f );
-			float up = settings->probe.stepUp * leg->length;
-			float down = settings->probe.stepDown * leg->length;
+			// Probes that are not needed are asked with no length and no place: how many there are depends on rig and
+			// settings alone.
 			soleProbe* probe = probes + count++;
-			probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + up ), work->root_w );
-			probe->direction_w = soleNeg( work->up );
-			probe->length = needed ? up + down : 0.0f;
-			probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
-			probe->mask = settings->probe.mask;
-			probe->leg = (int16_t)i;
-			probe->index = (int16_t)k;
+			*probe = ( soleProbe ){
+				.direction_w = soleNeg( work->up ), .mask = settings->probe.mask, .leg = (int16_t)i, .index = (int16_t)k
+			};
+			soleVec3 point;
+			if ( soleChoosePoint( work, leg, k, &point ) )
+			{
+				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + up ), work->root_w );
+				probe->length = up + down;
+				probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
+			}
 		}
 	}
 	return count;

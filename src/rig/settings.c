@@ -24,6 +24,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( probe.radius, "L", 0.001, 0.3, 0.05, "Radius of spheres." ),
 	FLOAT( probe.stepUp, "L", 0.05, 2, 0.45, "Ground this far above the root is still found." ),
 	FLOAT( probe.stepDown, "L", 0.05, 4, 0.55, "Ground this far below the root is still found." ),
+	FLOAT( probe.looseSize, "L", 0, 2, 0.1, "Loose things smaller than this are no ground." ),
 	MASK( probe.mask, "Layers that count as ground." ),
 	FLOAT( support.maxSlope, "rad", 0, 1.5, 0.8726646, "Steeper ground gives height but does not tilt the foot." ),
 	FLOAT(
@@ -45,6 +46,9 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( contact.releaseHalfLife, "s", 0, 1, 0.08, "How fast a foot returns to the animation when it is let go." ),
 	FLOAT( contact.fadeIn, "s", 0, 1, 0.12, "Time in which a planted leg gets its full say in the pelvis." ),
 	FLOAT( contact.fadeOut, "s", 0, 1, 0.2, "Time in which a released leg loses its say in the pelvis." ),
+	FLOAT( foothold.shift, "L", 0, 0.5, 0.18, "Furthest that a step is shifted along the foot to stand better." ),
+	FLOAT( foothold.share, "", 0, 1, 0.75, "A sole that bears with this share of its length stands well." ),
+	FLOAT( foothold.freeze, "s", 0, 1, 0.07, "The place of a step is settled this long before the foot comes down." ),
 	FLOAT( target.align, "", 0, 1, 1, "Share of the ground's slope that the foot follows." ),
 	FLOAT( pelvis.down, "L", 0, 1, 0.45, "Furthest that the pelvis goes down." ),
 	FLOAT( pelvis.up, "L", 0, 1, 0.1, "Furthest that the pelvis goes up." ),

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// Rest: the plane that carries a rigid sole which stands on sampled ground.
+//
+// 1. Footprint. Of the samples only those under the sole count, with a margin: an edge that is nearly under it must be
+//    known.
+// 2. Levels. Neighbouring samples whose heights differ by more than their distance (45 degrees) plus a gap stand on
+//    different levels; the level with the highest sample carries, the others hang over the edge. Without this a plane
+//    would span from tread to tread.
+// 3. The plane of a rigid sole that rests on the level: minimise its height c at the load point p subject to lying on
+//    or above every sample,  min c + g.p  s.t.  c + g.x_i >= h_i.  By duality of this linear program its optimum is the
+//    highest, at p, of all planes through three samples whose triangle holds p; that plane then lies on or above all
+//    others. Where no triangle holds p the best pair that brackets it along the foot gives the pitch; else the highest
+//    sample gives a flat plane. A foot that knows a single sample has the slope of the face that was met.
+//    Samples on faces too steep to walk on never tilt it: they only hold it up.
+// 4. The slope is clamped to what is walkable, and the height set anew so that the plane touches the level and no
+//    sample is above it.
+// 5. Ahead of the ball the samples also say how far the ground there stands over or under that plane: the toes' slope.
+#include "place/rest.h"
+
+#define MARGIN 0.012f      // L, around the sole
+#define BEARS_UNDER 0.011f // L: a place this far under the sole bears it: 1 cm of a leg of 0.9 m
+#define MAX_POINTS SOLE_MAX_PROBES_PER_LEG
+
+/// A sample in the foot's own frame, around the load point: u ahead, v to the side, h up.
+typedef struct soleRestPoint
+{
+	float u, v, h;
+	bool ahead; // of the ball line
+	bool under; // within the sole, without the margin
+	int32_t level;
+	const soleGroundSample* sample;
+} soleRestPoint;
+
+typedef struct soleRestPoints
+{
+	soleRestPoint points[MAX_POINTS];
+	int32_t count;
+	int32_t asked; // places under the sole, with those where nothing was met
+} soleRestPoints;
+
+/// c + gu u + gv v
+typedef struct soleFit
+{
+	float c, gu, gv;
+} soleFit;
+
+// ------------------------------------------------------------------------------------------------------- footprint
+
+static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward,
+    bool line, float loadAhead, soleRestPoints* found )
+{
+	const soleRigLeg* rig = leg->rig;
+	float scale = work->rootScale;
+	float margin = MARGIN * leg->length;
+	float heel = -rig->heelBehind * scale;
+	float toe = rig->toeAhead * scale;
+	float inner = rig->innerSide * scale;
+	float outer = rig->outerSide * scale;
+	float right = soleMaxF( inner, outer );
+	float left = soleMinF( inner, outer );
+	soleVec3 side = soleCross( forward, work->up );
+	found->count = 0;
+	found->asked = 0;
+	for ( int32_t i = 0; i < leg->sampleCount; ++i )
+	{
+		const soleGroundSample* sample = leg->samples + i;
+		soleVec3 from = soleSub( sample->place, center );
+		float u = soleDot( from, forward );
+		float v = soleDot( from, side );
+		bool near = u > heel - margin && u < toe + margin && v > left - margin && v < right + margin;
+		bool middle = v > 0.25f * left && v < 0.25f * right;
+		if ( near == false || ( line && middle == false ) )
+		{
+			continue;
+		}
+		bool under = u > heel - 0.1f * margin && u < toe + 0.1f * margin;
+		found->asked += under ? 1 : 0;
+		if ( sample->found )
+		{
+			soleRestPoint* p = found->points + found->count++;
+			*p = ( soleRestPoint ){ u - loadAhead, v, sample->height, u > 0.1f * toe, under, found->count - 1, sample };
+		}
+	}
+}
+
+// ---------------------------------------------------------------------------------------------------------- levels
+
+static void soleJoinLevels( soleRestPoints* read, float gap )
+{
+	// Points are neighbours when no other point is nearer to both: the relative neighbourhood graph. That is rows and
+	// columns in the layouts here, and stays right when probes are missing or late.
+	for ( int32_t i = 0; i < read->count; ++i )
+	{
+		for ( int32_t j = i + 1; j < read->count; ++j )
+		{
+			soleRestPoint a = read->points[i];
+			soleRestPoint b = read->points[j];
+			float d2 = ( a.u - b.u ) * ( a.u - b.u ) + ( a.v - b.v ) * ( a.v - b.v );
+			bool neighbours = a.level != b.level;
+			for ( int32_t k = 0; k < read->count && neighbours; ++k )
+			{
+				soleRestPoint c = read->points[k];
+				float ac = ( a.u - c.u ) * ( a.u - c.u ) + ( a.v - c.v ) * ( a.v - c.v );
+				float bc = ( b.u - c.u ) * ( b.u - c.u ) + ( b.v - c.v ) * ( b.v - c.v );
+				neighbours = k == i || k == j || ac >= d2 || bc >= d2;
+			}
+			float step = a.h > b.h ? a.h - b.h : b.h - a.h;
+			if ( neighbours == false || step > sqrtf( d2 ) + gap )
+			{
+				continue;
+			}
+			for ( int32_t k = 0; k < read->count; ++k )
+			{
+				read->points[k].level = read->points[k].level == b.level ? a.level : read->points[k].level;
+			}
+		}
+	}
+}
+
+/// Keeps the points of the level that has the highest one; the others are dropped. @return how many were dropped
+static int32_t soleKeepHighestLevel( soleRestPoints* read )
+{
+	int32_t highest = 0;
+	for ( int32_t i = 1; i < read->count; ++i )
+	{
+		highest = read->points[i].h > read->points[highest].h ? i : highest;
+	}
+	int32_t level = read->points[highest].level;
+	int32_t kept = 0;
+	for ( int32_t i = 0; i < read->count; ++i )
+	{
+		if ( read->points[i].level == level )
+		{
+			read->points[kept++] = read->points[i];
+		}
+	}
+	int32_t dropped = read->count - kept;
+	read->count = kept;
+	return dropped;
+}
+
+// ----------------------------------------------------------------------------------------------------- resting plane
+
+/// The plane through three points if their triangle holds the load point (the origin).
+static bool soleFitTriangle(
+    const soleRestPoint* a, const soleRestPoint* b, const soleRestPoint* c, float area, soleFit* fit )
+{
+	float bu = b->u - a->u, bv = b->v - a->v, cu = c->u - a->u, cv = c->v - a->v;
+	float d = bu * cv - cu * bv;
+	if ( d < area && d > -area )
+	{
+		return false;
+	}
+	float s = 1.0f / d;
+	float wb = s * ( -a->u * cv + a->v * cu );
+	float wc = s * ( -bu * a->v + bv * a->u );
+	float wa = 1.0f - wb - wc;
+	if ( wa < -1e-5f || wb < -1e-5f || wc < -1e-5f )
+	{
+		return false;
+	}
+	float bh = b->h - a->h, ch = c->h - a->h;
+	fit->gu = s * ( bh * cv - ch * bv );
+	fit->gv = s * ( bu * ch - cu * bh );
+	fit->c = a->h - fit->gu * a->u - fit->gv * a->v;
+	return true;
+}
+
+/// The slope along the foot through the best pair that brackets the load point.
+static bool soleFitPair( const soleRestPoint* a, const soleRestPoint* b, float shortest, soleFit* fit )
+{
+	float du = b->u - a->u;
+	if ( ( du < shortest && du > -shortest ) || a->u * b->u > 0.0f )
+	{
+		return false;
+	}
+	fit->gu = ( b->h - a->h ) / du;
+	fit->gv = 0.0f;
+	fit->c = a->h - fit->gu * a->u;
+	return true;
+}
+
+static soleFit soleFitResting( const soleRestPoints* read, bool single, float footLength )
+{
+	const soleRestPoint* p = read->points;
+	int32_t n = read->count;
+	float area = 1e-3f * footLength * footLength;
+	soleFit best = { 0.0f, 0.0f, 0.0f };
+	bool found = false;
+	soleFit fit;
+	if ( single && n == 1 )
+	{
+		return ( soleFit ){ p[0].h, 0.0f, 0.0f };
+	}
+	for ( int32_t i = 0; i < n; ++i )
+	{
+		for ( int32_t j = i + 1; j < n; ++j )
+		{
+			for ( int32_t k = j + 1; k < n; ++k )
+			{
+				if ( soleFitTriangle( p + i, p + j, p + k, area, &fit ) && ( found == false || fit.c > best.c ) )
+				{
+					best = fit;
+					found = true;
+				}
+			}
+		}
+	}
+	if ( found )
+	{
+		return best;
+	}
+	for ( int32_t i = 0; i < n; ++i )
+	{
+		for ( int32_t j = i + 1; j < n; ++j )
+		{
+			if ( soleFitPair( p + i, p + j, 0.05f * footLength, &fit ) && ( found == false || fit.c > best.c ) )
+			{
+				best = fit;
+				found = true;
+			}
+		}
+	}
+	return best; // flat, where nothing was found; raised by soleTouch
+}
+
+/// Sets the height so that the plane touches the level and no point is above it.
+static void soleTouch( const soleRestPoints* read, soleFit* fit )
+{
+	for ( int32_t i = 0; i < read->count; ++i )
+	{
+		const soleRestPoint* p = read->points + i;
+		float c = p->h - fit->gu * p->u - fit->gv * p->v;
+		fit->c = i == 0 || c > fit->c ? c : fit->c;
+	}
+}
+
+/// The points that may tilt the sole: toes bend, so they are left out where enough is left to carry it, and steep faces
+/// only hold it up.
+static soleRestPoints soleTakeTilting( const soleRestPoints* read, bool bends )
+{
+	soleRestPoints rest = { .count = 0 };
+	int32_t behind = 0;
+	for ( int32_t i = 0; i < read->count; ++i )
+	{
+		behind += read->points[i].ahead ? 0 : 1;
+	}
+	for ( int32_t i = 0; i < read->count; ++i )
+	{
+		bool toes = bends && behind >= 3 && read->points[i].ahead;
+		if ( toes == false && read->points[i].sample->steep == false )
+		{
+			rest.points[rest.count++] = read->points[i];
+		}
+	}
+	return rest;
+}
+
+/// All that holds the rigid part up.
+static soleRestPoints soleTakeRigid( const soleRestPoints* read, bool bends )
+{
+	soleRestPoints rest = { .count = 0 };
+	for ( int32_t i = 0; i < read->count; ++i )
+	{
+		if ( bends == false || read->points[i].ahead == false )
+		{
+			rest.points[rest.count++] = read->points[i];
+		}
+	}
+	return rest.count > 0 ? rest : *read;
+}
+
+static float soleFindToeSlope( const soleRestPoints* read, const soleFit* fit, float ballU, float shortest )
+{
+	bool found = false;
+	float slope = 0.0f;
+	for ( int32_t i = 0; i < read->count; ++i )
+	{
+		const soleRestPoint* p = read->points + i;
+		float ahead = p->u - ballU;
+		if ( p->ahead == false || ahead < shortest )
+		{
+			continue;
+		}
+		float over = p->h - ( fit->c + fit->gu * p->u + fit->gv * p->v );
+		slope = found && slope > over / ahead ? slope : over / ahead;
+		found = true;
+	}
+	return slope;
+}
+
+/// The slope that toes can follow.
+static float soleClampToeSlope( const solePlaceWork* work, float slope )
+{
+	soleHalf up = soleHalfFromAngle( soleMinF( work->settings->ankle.toeUp, 1.4f ) );
+	soleHalf down = soleHalfFromAngle( work->settings->ankle.toeDown );
+	float most = 2.0f * up.s * up.c / soleMaxF( up.c * up.c - up.s * up.s, 0.05f );
+	float least = -2.0f * down.s * down.c / soleMaxF( down.c * down.c - down.s * down.s, 0.05f );
+	return soleClampF( slope, least, most );
+}
+
+/// Which share of the places under the sole bears it, and how deep it is inside the ground.
+static void soleJudge( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit,
+    float ballU, soleRest* rest )
+{
+	float toes = leg->rig->toeSlot != SOLE_NONE ? soleClampToeSlope( work, rest->toeSlope ) : 0.0f;
+	int32_t bearing = 0;
+	for ( int32_t i = 0; i < all->count; ++i )
+	{
+		const soleRestPoint* p = all->points + i;
+		float bend = p->ahead ? toes * ( p->u - ballU ) : 0.0f;
+		float gap = fit->c + fit->gu * p->u + fit->gv * p->v + bend - p->h;
+		rest->sunk = soleMaxF( rest->sunk, -gap );
+		bearing += p->under && gap < BEARS_UNDER * leg->length ? 1 : 0;
+	}
+	rest->share = all->asked > 0 ? (float)bearing / (float)all->asked : 0.0f;
+}
+
+// ------------------------------------------------------------------------------------------------------------- rest
+
+static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* level,
+    float footLength, soleVec3 forward, soleVec3 side, bool* steep )
+{
+	bool bends = leg->rig->toeSlot != SOLE_NONE;
+	soleRestPoints tilting = soleTakeTilting( level, bends );
+	soleRestPoints rigid = soleTakeRigid( level, bends );
+	bool single = leg->sampleCount == 1;
+	soleFit fit = soleFitResting( &tilting, single, footLength );
+	if ( single && tilting.count == 1 )
+	{
+		fit.gu = soleDot( tilting.points[0].sample->gradient, forward );
+		fit.gv = soleDot( tilting.points[0].sample->gradient, side );
+	}
+	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
+	float steepest = 2.0f * limit.s * limit.c / soleMaxF( limit.c * limit.c - limit.s * limit.s, 0.05f );
+	*steep = 2 * tilting.count < rigid.count;
+	fit.gu = *steep ? 0.0f : soleClampF( fit.gu, -steepest, steepest );
+	fit.gv = *steep ? 0.0f : soleClampF( fit.gv, -steepest, steepest );
+	soleTouch( &rigid, &fit );
+	return fit;
+}
+
+soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward, bool line )
+{
+	const soleRigLeg* rig = leg->rig;
+	float scale = work->rootScale;
+	float footLength = soleMaxF( ( rig->heelBehind + rig->toeAhead ) * scale, 1e-3f * leg->length );
+	float loadAhead =
+	    scale * ( work->settings->support.loadPoint * ( rig->heelBehind + rig->toeAhead ) - rig->heelBehind );
+	soleVec3 load = soleMulAdd( center, loadAhead, forward );
+	soleVec3 side = soleCross( forward, work->up );
+	soleVec3 level = soleVec( 0.0f, 0.0f, 0.0f );
+	soleRest rest = { .surface = SOLE_NONE };
+	soleRestPoints all, high;
+	soleFindPoints( work, leg, center, forward, line, loadAhead, &all );
+	rest.found = all.count > 0;
+	if ( rest.found == false )
+	{
+		rest.plane = soleMakePlane( work, soleAtHeight( work, load, work->reference ), level );
+		return rest;
+	}
+	high = all;
+	soleJoinLevels( &high, work->settings->support.levelGap * leg->length );
+	int32_t hanging = soleKeepHighestLevel( &high );
+	rest.onEdge = hanging > 0;
+	float met = (float)all.count / (float)( all.asked > all.count ? all.asked : all.count );
+	rest.confidence = met * ( 1.0f - 0.5f * (float)hanging / (float)all.count );
+	soleFit fit = soleFitSole( work, leg, &high, footLength, forward, side, &rest.steep );
+	if ( rig->toeSlot != SOLE_NONE )
+	{
+		rest.toeSlope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * scale );
+	}
+	soleJudge( work, leg, &all, &fit, -loadAhead, &rest );
+	soleVec3 gradient = soleMulAdd( soleScale( fit.gu, forward ), fit.gv, side );
+	rest.plane = soleMakePlane( work, soleAtHeight( work, load, fit.c ), gradient );
+	const soleRestPoint* highest = high.points;
+	for ( int32_t i = 1; i < high.count; ++i )
+	{
+		highest = high.points[i].h > highest->h ? high.points + i : highest;
+	}
+	rest.surface = highest->sample->surface;
+	rest.velocity = highest->sample->velocity;
+	return rest;
+}
