@@ -105,11 +105,7 @@ static inline void testOpenTake( const testBake* bake, testTake* take )
 	{
 		testScaleGround( &take->ground, bake->groundScale );
 	}
-	soleMessage message;
-	const toolGroundMesh* mesh = &take->ground.mesh;
-	assert_int_equal( soleCreateTerrain( mesh->positions, mesh->vertexCount, mesh->indices, mesh->triangleCount,
-	                      soleVec( 0.0f, 1.0f, 0.0f ), NULL, &take->terrain, &message ),
-	    sole_success );
+	TEST_GOOD( toolMakeTerrain( &take->ground, &take->terrain, &error ), error );
 }
 
 static inline void testBakeTake( const testBake* bake, testTake* take )
@@ -131,18 +127,8 @@ static inline void testBakeTake( const testBake* bake, testTake* take )
 	TEST_GOOD(
 	    toolBake( &take->character, &take->bound, &take->travel, take->ground.ground, &def, &take->result, &error ),
 	    error );
-	toolTakeDef takeDef = { .frameCount = take->result.walk.frameCount,
-		.frameRate = def.fps,
-		.clipFloor = take->result.clipFloor,
-		.poses = take->result.output,
-		.roots = take->result.walk.roots,
-		.inputPoses = take->result.input,
-		.inputRoots = take->result.walk.roots };
-	toolTake measured;
-	TEST_GOOD( toolMakeTake( &take->character, &takeDef, &measured, &error ), error );
 	TEST_GOOD(
-	    toolMeasureTake( &take->character, &measured, take->terrain, &take->figures, &take->flat, &error ), error );
-	toolFreeTake( &measured );
+	    toolMeasureBake( &take->character, &take->result, take->terrain, &take->figures, &take->flat, &error ), error );
 }
 
 static inline void testCloseTake( testTake* take )

@@ -15,10 +15,6 @@ enum
 	tool_optionGround = 256,
 	tool_optionClip,
 	tool_optionClips,
-	tool_optionPath,
-	tool_optionStart,
-	tool_optionHeading,
-	tool_optionDistance,
 	tool_optionSpeed,
 	tool_optionDuration,
 	tool_optionFps,
@@ -36,10 +32,7 @@ static const struct option toolOptions[] = {
 	{ "output", required_argument, NULL, 'o' },
 	{ "clip", required_argument, NULL, tool_optionClip },
 	{ "clips", required_argument, NULL, tool_optionClips },
-	{ "path", required_argument, NULL, tool_optionPath },
-	{ "start", required_argument, NULL, tool_optionStart },
-	{ "heading", required_argument, NULL, tool_optionHeading },
-	{ "distance", required_argument, NULL, tool_optionDistance },
+	TOOL_WAY_OPTIONS,
 	{ "speed", required_argument, NULL, tool_optionSpeed },
 	{ "duration", required_argument, NULL, tool_optionDuration },
 	{ "fps", required_argument, NULL, tool_optionFps },
@@ -93,40 +86,6 @@ static void toolPrintBakeHelp( void )
 	}
 }
 
-static toolPlace toolMakePlace( const double point[3], int count )
-{
-	return ( toolPlace ){ point[0], count == 3 ? point[1] : (double)NAN, point[count - 1] };
-}
-
-static bool toolReadPath( const char* text, toolBakeOptions* options )
-{
-	char* copy = toolCopyString( text );
-	bool good = true;
-	bool leads = false;
-	options->pathCount = 0;
-	for ( char* word = strtok( copy, " \t\n;" ); word != NULL && good; word = strtok( NULL, " \t\n;" ) )
-	{
-		double point[3];
-		int count = toolParsePoint( word, point );
-		good = count > 0;
-		if ( good )
-		{
-			options->path = toolGrow( options->path, (size_t)options->pathCount + 1, sizeof *options->path );
-			toolPlace* place = options->path + options->pathCount++;
-			*place = toolMakePlace( point, count );
-			leads = leads || place->x != options->path[0].x || place->z != options->path[0].z;
-		}
-	}
-	free( copy );
-	return good && leads;
-}
-
-// A number within limits.
-static bool toolReadRange( const char* text, double low, double high, double* number )
-{
-	return toolParseNumber( text, number ) && *number >= low && *number <= high;
-}
-
 static const char* toolReadMethod( const char* name, toolBakeOptions* options )
 {
 	const toolMethod* method = toolFindMethod( name );
@@ -160,23 +119,11 @@ static const char* toolReadClipName( const char* name, toolBakeOptions* options 
 	return NULL;
 }
 
-static const char* toolReadStart( const char* text, toolBakeOptions* options )
-{
-	double point[3];
-	int count = toolParsePoint( text, point );
-	options->hasStart = count > 0;
-	if ( options->hasStart )
-	{
-		options->start = toolMakePlace( point, count );
-	}
-	return options->hasStart ? NULL : "--start is no place such as \"1.5,-2\" or \"1.5,0.3,-2\"";
-}
-
 static const char* toolReadScale( const char* text, toolBakeOptions* options )
 {
 	double scale = 1.0;
 	options->autoScale = strcmp( text, "auto" ) == 0;
-	bool good = options->autoScale || toolReadRange( text, 1e-6, 1e6, &scale );
+	bool good = options->autoScale || toolParseRange( text, 1e-6, 1e6, &scale );
 	options->scale = (float)scale;
 	return good ? NULL : "--scale is no number above zero, nor 'auto'";
 }
@@ -186,21 +133,15 @@ static const char* toolReadNumberOption( int option, const char* text, toolBakeO
 {
 	switch ( option )
 	{
-	case tool_optionHeading:
-		options->hasHeading = true;
-		return toolReadRange( text, -1e6, 1e6, &options->heading ) ? NULL : "--heading is no number of degrees";
-	case tool_optionDistance:
-		options->hasDistance = true;
-		return toolReadRange( text, 1e-3, 1e5, &options->distance ) ? NULL : "--distance is no length in metres";
 	case tool_optionSpeed:
-		return toolReadRange( text, 1e-3, 100.0, &options->speed ) ? NULL : "--speed is no speed in m/s up to 100";
+		return toolParseRange( text, 1e-3, 100.0, &options->speed ) ? NULL : "--speed is no speed in m/s up to 100";
 	case tool_optionDuration:
-		return toolReadRange( text, 1e-3, 3600.0, &options->duration ) ? NULL
-		                                                               : "--duration is no time in seconds up to 3600";
+		return toolParseRange( text, 1e-3, 3600.0, &options->duration ) ? NULL
+		                                                                : "--duration is no time in seconds up to 3600";
 	case tool_optionFps:
-		return toolReadRange( text, 1.0, 1000.0, &options->fps ) ? NULL : "--fps is no rate from 1 to 1000";
+		return toolParseRange( text, 1.0, 1000.0, &options->fps ) ? NULL : "--fps is no rate from 1 to 1000";
 	default:
-		return "there is no such option";
+		return toolReadWayOption( option, text, &options->way );
 	}
 }
 
@@ -220,10 +161,6 @@ static const char* toolReadOption( int option, const char* text, toolBakeOptions
 	case tool_optionClips:
 		options->clipsFile = text;
 		return NULL;
-	case tool_optionPath:
-		return toolReadPath( text, options ) ? NULL : "--path is no list of two places or more, such as \"0,0 0,4\"";
-	case tool_optionStart:
-		return toolReadStart( text, options );
 	case tool_optionMethod:
 		return toolReadMethod( text, options );
 	case tool_optionSettings:
@@ -266,11 +203,7 @@ static const char* toolCheckOptions( const toolBakeOptions* options, int rest )
 	{
 		return "-o is missing: where to write";
 	}
-	if ( options->pathCount > 0 && ( options->hasStart || options->hasHeading || options->hasDistance ) )
-	{
-		return "--path and --start, --heading or --distance exclude each other";
-	}
-	return NULL;
+	return toolCheckWayOptions( &options->way );
 }
 
 static int toolPrintSettings( const toolBakeOptions* options )
@@ -328,6 +261,6 @@ void toolFreeBakeOptions( toolBakeOptions* options )
 {
 	free( options->clips );
 	free( options->methods );
-	free( options->path );
+	toolFreeWayOptions( &options->way );
 	*options = ( toolBakeOptions ){ 0 };
 }

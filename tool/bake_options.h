@@ -3,9 +3,8 @@
 #ifndef TOOL_BAKE_OPTIONS_H
 #define TOOL_BAKE_OPTIONS_H
 
-#include "bake.h"
 #include "settings_file.h"
-#include "source.h"
+#include "way_options.h"
 
 /// What toolReadBakeOptions() answers where there is something to bake; else it is an exit status.
 enum
@@ -25,19 +24,12 @@ typedef struct toolBakeOptions
 	int32_t clipCount;
 	const toolMethod** methods;
 	int32_t methodCount;
-	toolPlace* path;
-	int32_t pathCount;
-	toolPlace start;
-	double heading;
-	double distance;
+	toolWayOptions way;
 	double speed;
 	double fps;
 	double duration;
 	float scale;
 	bool autoScale;
-	bool hasStart;
-	bool hasHeading;
-	bool hasDistance;
 	bool withGround;
 	bool json;
 	bool printSettings;

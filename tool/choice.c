@@ -80,6 +80,26 @@ int32_t toolChooseClip( const toolModel* model )
 	return clip == SOLE_NONE && model->clipCount > 0 ? 0 : clip;
 }
 
+bool toolBindNamedClip( const toolCharacter* character, const toolModel* clipModel, const char* file, const char* name,
+    toolBoundClip* bound, toolError* error )
+{
+	int32_t index = name != NULL ? toolFindClip( clipModel, name ) : toolChooseClip( clipModel );
+	if ( index == SOLE_NONE && name != NULL )
+	{
+		return toolFail( error, "%s: has no clip '%s': 'sole inspect' lists its clips", file, name );
+	}
+	if ( index == SOLE_NONE && clipModel != character->model )
+	{
+		return toolFail( error, "%s: has no clips: give a file that has them with --clips", file );
+	}
+	if ( index == SOLE_NONE )
+	{
+		toolBindRest( bound );
+		return true;
+	}
+	return toolBindClip( character, clipModel, index, bound, error ) || toolFailIn( error, file );
+}
+
 // ---------------------------------------------------------------------------------------------------------- start
 
 // How well a way can be walked: 0 not at all, 1 with steps that are too high, 2 well.

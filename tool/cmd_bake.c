@@ -12,8 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define DEFAULT_DISTANCE 4.0 // m
-
 // Everything that is open during a bake.
 typedef struct toolBakeJob
 {
@@ -56,16 +54,6 @@ static bool toolOpenJobCharacter( toolBakeJob* job, toolError* error )
 	return true;
 }
 
-// What feet are measured against.
-static bool toolOpenTerrain( toolBakeJob* job, toolError* error )
-{
-	const toolGroundMesh* mesh = &job->ground.mesh;
-	soleMessage message = { { 0 } };
-	soleResult result = soleCreateTerrain( mesh->positions, mesh->vertexCount, mesh->indices, mesh->triangleCount,
-	    soleVec( 0.0f, 1.0f, 0.0f ), NULL, &job->terrain, &message );
-	return result == sole_success || toolFail( error, "%s: %s", job->options.ground, message.text );
-}
-
 static bool toolOpenJob( toolBakeJob* job, toolError* error )
 {
 	job->settings = soleDefaultSettings();
@@ -75,7 +63,7 @@ static bool toolOpenJob( toolBakeJob* job, toolError* error )
 		return false;
 	}
 	return toolOpenJobCharacter( job, error ) && toolOpenGround( job->options.ground, &job->ground, error ) &&
-	    toolOpenTerrain( job, error );
+	    toolMakeTerrain( &job->ground, &job->terrain, error );
 }
 
 static void toolCloseJob( toolBakeJob* job )
@@ -96,58 +84,6 @@ static void toolCloseJob( toolBakeJob* job )
 
 // ------------------------------------------------------------------------------------------------------- one clip
 
-// How far a clip goes where the user does not say.
-static double toolGetDistance( const toolBakeOptions* options, const toolTravel* travel )
-{
-	double own = (double)soleLength( travel->strideVelocity );
-	if ( options->hasDistance )
-	{
-		return options->distance;
-	}
-	if ( toolIsStanding( travel ) && travel->rootMotion == false && options->speed <= 0.0 )
-	{
-		return 0.0;
-	}
-	if ( options->duration > 0.0 )
-	{
-		return options->duration * ( options->speed > 0.0 ? options->speed : own );
-	}
-	bool once = travel->rootMotion && travel->loops == false;
-	return once ? (double)soleLength( travel->loop.translation ) : DEFAULT_DISTANCE;
-}
-
-// The way: as given, else as the scene has it, else one that is looked for.
-static bool toolLayWay(
-    const toolBakeJob* job, const toolTravel* travel, toolPlace* start, toolBakeDef* def, toolError* error )
-{
-	const toolBakeOptions* options = &job->options;
-	def->heading = options->heading;
-	def->distance = toolGetDistance( options, travel );
-	def->path = start;
-	def->pathCount = 1;
-	if ( options->pathCount > 0 )
-	{
-		def->path = options->path;
-		def->pathCount = options->pathCount;
-		return true;
-	}
-	if ( options->hasStart )
-	{
-		*start = options->start;
-		return true;
-	}
-	// A capture goes its own way, from about the middle; what loops can be led.
-	bool led = travel->rootMotion == false || travel->loops;
-	if ( job->ground.path != NULL && led && options->hasHeading == false && options->hasDistance == false )
-	{
-		def->path = job->ground.path;
-		def->pathCount = job->ground.pathCount;
-		return true;
-	}
-	double step = (double)TOOL_STEP_HEIGHT * toolLegLength( &job->character );
-	return toolChooseStart( job->ground.ground, options->ground, def->heading, def->distance, step, start, error );
-}
-
 // One method's take of a clip.
 typedef struct toolBakedTake
 {
@@ -156,28 +92,6 @@ typedef struct toolBakedTake
 	soleFigures reference; // of the clip on flat ground, feet untouched
 	toolBakeResult result;
 } toolBakedTake;
-
-static bool toolMeasureBake(
-    const toolBakeJob* job, const toolBakeResult* result, toolBakedTake* taken, toolError* error )
-{
-	toolTakeDef def = {
-		.frameCount = result->walk.frameCount,
-		.frameRate = result->walk.fps,
-		.clipFloor = result->clipFloor,
-		.poses = result->output,
-		.roots = result->walk.roots,
-		.inputPoses = result->input,
-		.inputRoots = result->walk.roots,
-	};
-	toolTake take;
-	if ( toolMakeTake( &job->character, &def, &take, error ) == false )
-	{
-		return toolFailIn( error, job->options.character );
-	}
-	bool good = toolMeasureTake( &job->character, &take, job->terrain, &taken->figures, &taken->reference, error );
-	toolFreeTake( &take );
-	return good || toolFailIn( error, job->options.character );
-}
 
 static void toolReportTake(
     toolBakeJob* job, const char* clip, const toolBakeResult* result, const toolBakedTake* taken )
@@ -271,12 +185,12 @@ static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const 
 	char* clipsFile = toolNameClipsFile( &job->options );
 	toolMakeBakedClip( &job->character, bound, travel, taken->method, clipsFile, result, clip );
 	free( clipsFile );
-	bool good = toolMeasureBake( job, result, taken, error );
-	if ( good )
+	if ( toolMeasureBake( &job->character, result, job->terrain, &taken->figures, &taken->reference, error ) == false )
 	{
-		toolReportTake( job, clip->name, result, taken );
+		return toolFailIn( error, job->options.character );
 	}
-	return good;
+	toolReportTake( job, clip->name, result, taken );
+	return true;
 }
 
 static bool toolPlotTakes( const toolBakeJob* job, const toolBakedTake* takes, toolError* error )
@@ -298,15 +212,15 @@ static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolE
 	toolTravel travel = toolFindTravel( &job->character, bound );
 	toolBakeDef def = toolDefaultBakeDef();
 	toolPlace start;
-	if ( toolLayWay( job, &travel, &start, &def, error ) == false )
-	{
-		return false;
-	}
 	def.settings = &job->settings;
 	def.groundName = options->ground;
 	def.speed = options->speed;
 	def.duration = options->duration;
 	def.fps = options->fps;
+	if ( toolLayWay( &options->way, &job->character, &travel, &job->ground, &start, &def, error ) == false )
+	{
+		return false;
+	}
 	toolBakedTake* takes = toolAlloc( (size_t)options->methodCount, sizeof *takes );
 	bool good = true;
 	for ( int32_t i = 0; i < options->methodCount && good; ++i )
@@ -338,25 +252,12 @@ static bool toolBakeClips( toolBakeJob* job, toolError* error )
 	int32_t count = options->clipCount > 0 ? options->clipCount : 1;
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		bool named = options->clipCount > 0;
-		int32_t index = named ? toolFindClip( model, options->clips[i] ) : toolChooseClip( model );
-		if ( index == SOLE_NONE && named )
-		{
-			return toolFail( error, "%s: has no clip '%s': 'sole inspect' lists its clips", file, options->clips[i] );
-		}
-		if ( index == SOLE_NONE && options->clipsFile != NULL )
-		{
-			return toolFail( error, "%s: has no clips: give a file that has them with --clips", file );
-		}
 		toolProgress( "baking", (double)i / (double)count );
+		const char* name = options->clipCount > 0 ? options->clips[i] : NULL;
 		toolBoundClip bound;
-		if ( index == SOLE_NONE )
+		if ( toolBindNamedClip( &job->character, model, file, name, &bound, error ) == false )
 		{
-			toolBindRest( &bound );
-		}
-		else if ( toolBindClip( &job->character, model, index, &bound, error ) == false )
-		{
-			return toolFailIn( error, file );
+			return false;
 		}
 		bool good = toolBakeMethods( job, &bound, error );
 		toolFreeBoundClip( &bound );

@@ -17,6 +17,7 @@
 
 static const char* const toolMeasureHelp =
     "usage: sole measure F.glb --ground G --clip NAME [--reference NAME] [--json]\n"
+    "       sole measure CHARACTER --table ...: grounds, rates and methods side by side, see --table --help\n"
     "\n"
     "Prints how well the feet of a clip stand on a ground: how deep and how far above they are, how much of the sole\n"
     "touches, how fast it slides, how far it drifts, how smooth knees and pelvis are. A clip made by 'sole bake' is\n"
@@ -174,16 +175,8 @@ static bool toolPrepareMeasure( const toolMeasureOptions* options, toolMeasureRu
 	}
 	bool made =
 	    baked ? toolMakeBakedRun( options, clip, &info, run, error ) : toolMakePlainRun( options, clip, run, error );
-	if ( made == false || toolTakeReference( options, run, error ) == false ||
-	    toolOpenGround( options->ground, &run->ground, error ) == false )
-	{
-		return false;
-	}
-	const toolGroundMesh* mesh = &run->ground.mesh;
-	soleMessage message = { { 0 } };
-	soleResult result = soleCreateTerrain( mesh->positions, mesh->vertexCount, mesh->indices, mesh->triangleCount,
-	    soleVec( 0.0f, 1.0f, 0.0f ), NULL, &run->terrain, &message );
-	return result == sole_success || toolFail( error, "%s: %s", options->ground, message.text );
+	return made && toolTakeReference( options, run, error ) && toolOpenGround( options->ground, &run->ground, error ) &&
+	    toolMakeTerrain( &run->ground, &run->terrain, error );
 }
 
 static void toolPrintMeasure( const toolMeasureOptions* options, const toolMeasureRun* run, const soleFigures* figures,
@@ -278,8 +271,25 @@ static int toolReadMeasureOptions( int argc, char** argv, toolMeasureOptions* op
 	return tool_done;
 }
 
+/// Is one of the arguments --table?
+static bool toolWantsTable( int argc, char** argv )
+{
+	for ( int i = 1; i < argc; ++i )
+	{
+		if ( strcmp( argv[i], "--table" ) == 0 )
+		{
+			return true;
+		}
+	}
+	return false;
+}
+
 int toolRunMeasure( int argc, char** argv )
 {
+	if ( toolWantsTable( argc, argv ) )
+	{
+		return toolRunMeasureTable( argc, argv );
+	}
 	toolMeasureOptions options = { 0 };
 	bool help = false;
 	int status = toolReadMeasureOptions( argc, argv, &options, &help );

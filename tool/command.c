@@ -37,6 +37,11 @@ bool toolParseNumber( const char* text, double* number )
 	return true;
 }
 
+bool toolParseRange( const char* text, double low, double high, double* number )
+{
+	return toolParseNumber( text, number ) && *number >= low && *number <= high;
+}
+
 int toolParsePoint( const char* text, double point[3] )
 {
 	int count = 0;

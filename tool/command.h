@@ -20,6 +20,8 @@ int toolReportUsage( const char* command, const char* what );
 
 /// A finite number from the command line; false where the text is none.
 bool toolParseNumber( const char* text, double* number );
+/// The same within limits.
+bool toolParseRange( const char* text, double low, double high, double* number );
 /// "x,z" or "x,y,z", none beyond 10,000 km. @return how many numbers there were, or 0.
 int toolParsePoint( const char* text, double point[3] );
 
@@ -27,6 +29,8 @@ int toolRunSample( int argc, char** argv );
 int toolRunInspect( int argc, char** argv );
 int toolRunBake( int argc, char** argv );
 int toolRunMeasure( int argc, char** argv );
+/// measure --table
+int toolRunMeasureTable( int argc, char** argv );
 int toolRunLabel( int argc, char** argv );
 int toolRunSettings( int argc, char** argv );
 

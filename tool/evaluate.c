@@ -9,7 +9,7 @@
 
 #define MOST_TRANSFORMS 12000000 // of a take: 480 MB, and as much for the reference
 #define MOST_FRAMES 500000
-#define SKIP_TIME 0.5     // s at the start in which methods may settle
+#define SETTLE_TIME 0.5   // s
 #define FLAT_MARGIN 20.0f // leg lengths of flat ground around the way
 
 // ----------------------------------------------------------------------------------------------------------- make
@@ -17,6 +17,11 @@
 static soleVec3 toolUp( void )
 {
 	return soleVec( 0.0f, 1.0f, 0.0f );
+}
+
+int32_t toolGetSettleFrames( int32_t frameCount, double fps )
+{
+	return (int32_t)fmin( SETTLE_TIME * fps, 0.25 * (double)frameCount );
 }
 
 static bool toolAllocTake(
@@ -30,8 +35,7 @@ static bool toolAllocTake(
 	}
 	size_t frames = (size_t)frameCount;
 	size_t joints = (size_t)character->jointCount;
-	double skip = fmin( SKIP_TIME * fps, 0.25 * (double)frameCount );
-	take->skip = (int32_t)skip;
+	take->skip = toolGetSettleFrames( frameCount, fps );
 	take->poses = toolAlloc( frames * joints, sizeof *take->poses );
 	take->roots = toolAlloc( frames, sizeof *take->roots );
 	take->referencePoses = toolAlloc( frames * joints, sizeof *take->referencePoses );
@@ -338,4 +342,26 @@ bool toolMeasureTake( const toolCharacter* character, const toolTake* take, cons
 		soleDestroyTerrain( flat );
 	}
 	return result == sole_success || toolFail( error, "the motion cannot be measured: %s", message.text );
+}
+
+bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
+    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+{
+	toolTakeDef def = {
+		.frameCount = result->walk.frameCount,
+		.frameRate = result->walk.fps,
+		.clipFloor = result->clipFloor,
+		.poses = result->output,
+		.roots = result->walk.roots,
+		.inputPoses = result->input,
+		.inputRoots = result->walk.roots,
+	};
+	toolTake take;
+	if ( toolMakeTake( character, &def, &take, error ) == false )
+	{
+		return false;
+	}
+	bool good = toolMeasureTake( character, &take, terrain, figures, referenceFigures, error );
+	toolFreeTake( &take );
+	return good;
 }

@@ -4,7 +4,11 @@
 #ifndef TOOL_EVALUATE_H
 #define TOOL_EVALUATE_H
 
-#include "motion.h"
+#include "bake.h"
+
+/// Frames at the start of a take that are not measured: half a second in which methods may settle, but never more than
+/// a quarter of the take.
+int32_t toolGetSettleFrames( int32_t frameCount, double fps );
 
 typedef struct toolTake
 {
@@ -67,6 +71,10 @@ bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTak
 
 /// @param referenceFigures may be NULL
 bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    soleFigures* figures, soleFigures* referenceFigures, toolError* error );
+
+/// The same for what was just baked.
+bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
     soleFigures* figures, soleFigures* referenceFigures, toolError* error );
 
 #endif

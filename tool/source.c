@@ -121,6 +121,15 @@ void toolCloseGround( toolGroundSource* source )
 	*source = ( toolGroundSource ){ 0 };
 }
 
+bool toolMakeTerrain( const toolGroundSource* source, soleTerrain** terrain, toolError* error )
+{
+	const toolGroundMesh* mesh = &source->mesh;
+	soleMessage message = { { 0 } };
+	soleResult result = soleCreateTerrain( mesh->positions, mesh->vertexCount, mesh->indices, mesh->triangleCount,
+	    soleVec( 0.0f, 1.0f, 0.0f ), NULL, terrain, &message );
+	return result == sole_success || toolFail( error, "%s: %s", source->name, message.text );
+}
+
 void toolMakeGroundModel( const toolGroundSource* source, toolModel* model )
 {
 	*model = ( toolModel ){ .nodeCount = 1, .meshCount = 1, .materialCount = 1 };

@@ -28,12 +28,21 @@ bool toolOpenGround( const char* name, toolGroundSource* source, toolError* erro
 bool toolOpenEmbeddedGround( const char* name, toolGroundSource* source );
 void toolCloseGround( toolGroundSource* source );
 
+/// What feet on the ground are measured against.
+bool toolMakeTerrain( const toolGroundSource* source, soleTerrain** terrain, toolError* error );
+
 /// The ground as nodes of a scene, to be added to a file.
 void toolMakeGroundModel( const toolGroundSource* source, toolModel* model );
 
 /// The best walk by its name, else the first clip that is named like another gait, else the first clip. SOLE_NONE
 /// where there is no clip.
 int32_t toolChooseClip( const toolModel* model );
+
+/// Binds a clip of a character's own file or of another.
+/// @param name NULL: the best walk; without clips the character stands at rest
+/// @param file that the clips are in, for messages
+bool toolBindNamedClip( const toolCharacter* character, const toolModel* clipModel, const char* file, const char* name,
+    toolBoundClip* bound, toolError* error );
 
 /// A start near the middle of the ground from which the way straight on has ground all along, best without steps that
 /// are too high.

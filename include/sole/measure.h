@@ -154,4 +154,11 @@ SOLE_API soleMeasureDef soleDefaultMeasureDef( void );
 SOLE_API soleResult soleMeasureMotion(
     const soleMeasureDef* def, const soleAllocator* allocator, soleFigures* figures, soleMessage* message );
 
+/// How far two samplings of one run at different rates are apart: distances of the same ankle and ball, m, over all
+/// legs and the times that both have. Whole rates have the times of their greatest common divisor in common: 1/30 s for
+/// 30 and 60 Hz, 1/12 s for 60 and 144.
+/// @param start times before this one are left out, s
+SOLE_API soleResult soleCompareMotions( const soleMotion* motion, const soleMotion* other, float start,
+    const soleAllocator* allocator, soleStat* distance, soleMessage* message );
+
 #endif

@@ -5,9 +5,9 @@
 #include "measure/figures.h"
 
 #include "base/core.h"
+#include "measure/stat.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 // How far over a point its ground is looked for, as a share of leg length. Further than a foot can be inside a step,
@@ -174,39 +174,6 @@ static soleResult soleGather( soleMeasurement* m, soleMessage* message )
 }
 
 // ----------------------------------------------------------------------------------------------------- statistics
-
-static int soleCompareSamples( const void* a, const void* b )
-{
-	double x = *(const double*)a;
-	double y = *(const double*)b;
-	return ( x > y ) - ( x < y );
-}
-
-/// Nearest rank: the least sample that at least this share of the samples does not exceed.
-static double solePercentile( const double* sorted, int32_t count, double share )
-{
-	int32_t rank = (int32_t)ceil( share * (double)count - 1e-9 );
-	return count > 0 ? sorted[rank > 1 ? rank - 1 : 0] : 0.0;
-}
-
-/// Sorts the samples.
-static soleStat soleFindStat( double* samples, int32_t count )
-{
-	soleStat stat = { 0.0, 0.0, 0.0 };
-	if ( count == 0 )
-	{
-		return stat;
-	}
-	qsort( samples, (size_t)count, sizeof *samples, soleCompareSamples );
-	for ( int32_t i = 0; i < count; ++i )
-	{
-		stat.mean += samples[i];
-	}
-	stat.mean /= (double)count;
-	stat.p95 = solePercentile( samples, count, 0.95 );
-	stat.max = samples[count - 1];
-	return stat;
-}
 
 /// The samples of legs [first, end) put side by side in the scratch.
 static int32_t solePoolSamples( soleMeasurement* m, soleSampleKind kind, int32_t first, int32_t end )

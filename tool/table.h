@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Tables of quality: one clip baked over grounds, at frame rates, with methods, and measured; and the targets that Sole
+// is held to. A cell is one bake. SI units.
+#ifndef TOOL_TABLE_H
+#define TOOL_TABLE_H
+
+#include "evaluate.h"
+#include "way_options.h"
+
+struct json_object;
+
+/// The rate that others are compared with, Hz.
+#define TOOL_BASE_RATE 60
+
+/// Figures that make a row. Over all legs.
+typedef enum toolRowFigure
+{
+	tool_rowFrames, // that are labelled, leg by leg
+	tool_rowPenetrationP95,
+	tool_rowPenetrationMax,
+	tool_rowHoverP95,
+	tool_rowShare,
+	tool_rowSlide,
+	tool_rowDriftMean,
+	tool_rowDriftMax,
+	tool_rowKnee,
+	tool_rowPelvisJerk,
+	tool_rowPelvisStep,
+	tool_rowOverExtended,
+	tool_rowJump,
+	tool_rowRateP95, // distance to the same run at the base rate; not a number at the base rate itself
+	tool_rowRateMax,
+	tool_rowFigureCount
+} toolRowFigure;
+
+typedef struct toolTableCell
+{
+	const char* ground;
+	int32_t fps;
+	const toolMethod* method;
+	soleFigures figures;
+	soleFigures reference; // of the clip on flat ground at the same rate, feet untouched
+	soleStat rate;         // distances to the cell at the base rate
+	bool isBase;           // is that cell
+} toolTableCell;
+
+double toolGetRowFigure( const toolTableCell* cell, toolRowFigure figure );
+/// The input's own. Not a number where it has none.
+double toolGetRowReference( const toolTableCell* cell, toolRowFigure figure );
+
+// -------------------------------------------------------------------------------------------------------- targets
+
+/// What a figure must not exceed, or not fall below: the larger of a limit and a multiple of the input's own figure.
+typedef struct toolTarget
+{
+	const char* name; // in JSON
+	toolRowFigure figure;
+	double limit;
+	double ofInput;
+	bool atLeast;
+} toolTarget;
+
+const toolTarget* toolGetTargets( int32_t* count );
+
+typedef enum toolVerdict
+{
+	tool_targetHolds,
+	tool_targetMissed,
+	tool_targetIdle // says nothing of this cell
+} toolVerdict;
+
+toolVerdict toolJudge( const toolTarget* target, const toolTableCell* cell );
+
+// ----------------------------------------------------------------------------------------------------------- make
+
+/// What to bake. All arrays stay the caller's.
+typedef struct toolTableDef
+{
+	const toolCharacter* character;
+	const toolBoundClip* bound;
+	const toolTravel* travel;
+	const soleSettings* settings;
+	const char* const* grounds;
+	int32_t groundCount;
+	const int32_t* rates;
+	int32_t rateCount;
+	const toolMethod* const* methods;
+	int32_t methodCount;
+	/// The way over grounds that have none of their own.
+	const toolWayOptions* way;
+	/// Called with the share that is done. May be NULL.
+	void ( *progress )( double done );
+} toolTableDef;
+
+typedef struct toolTable
+{
+	toolTableCell* cells; // ground, method, rate
+	int32_t cellCount;
+} toolTable;
+
+bool toolMakeTable( const toolTableDef* def, toolTable* table, toolError* error );
+void toolFreeTable( toolTable* table );
+
+// ----------------------------------------------------------------------------------------------------------- tell
+
+/// A row a cell. Figures that miss their target have a '!' behind them; the last line counts.
+void toolPrintTable( FILE* stream, const toolTable* table );
+/// [ { "ground", "fps", "method", "legs", "whole", "referenceFigures", "ratios", "rate", "targets" } ]
+struct json_object* toolTableToJson( const soleRig* rig, const toolTable* table );
+
+#endif
