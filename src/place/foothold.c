@@ -113,8 +113,11 @@ static float soleFindRise( const solePlaceWork* work, const soleLegWork* leg, co
 			float bump = 4.0f * s * ( 1.0f - s );
 			if ( bump >= MID_FLIGHT )
 			{
-				float chord = soleDot( soleLerp( way->from, way->to, s ), work->up );
-				rise = soleMaxF( rise, ( sample->height - chord ) / bump );
+				// A foot that flies in parallel to the slope under it.
+				soleVec3 ball = soleLerp( way->from, way->to, s );
+				soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
+				float height = soleDot( ball, work->up ) - spans[k] * soleDot( gradient, d );
+				rise = soleMaxF( rise, ( sample->height - height ) / bump );
 			}
 		}
 	}
