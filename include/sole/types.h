@@ -188,7 +188,8 @@ typedef struct soleSettings
 	{
 		float down;     // furthest down. L [0, 1] default 0.45
 		float up;       // furthest up. L [0, 1] default 0.1
-		float halfLife; // s [0, 2] default 0.08
+		float halfLife; // of going down. s [0, 2] default 0.08
+		float release;  // of going up again. s [0, 4] default 0.4
 		float speed;    // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
 		float rootJump; // a root that moves more than this beyond its own speed in a frame has jumped. L [0, 1]
 		                // default 0.02
@@ -410,7 +411,7 @@ typedef struct soleState
 	soleVec3 root_w;     // last position of the root
 	float rootSpeed;     // its last speed along up
 	float rootSuspect;   // a speed that it may have taken up, or a jump
-	soleOffset1 pelvis;  // offset of the pelvis along up over the root
+	soleOffset1 pelvis;  // offset of the pelvis along up over the ground that the body is over
 	double worldOrigin[3];
 	int32_t internalValue;
 	soleLegState legs[SOLE_MAX_LEGS];

@@ -233,6 +233,23 @@ static solePlane soleRememberPlane( const solePlaceWork* work, const soleLegWork
 	return soleMakePlane( work, soleSub( state->planePoint_w, work->root_w ), gradient );
 }
 
+/// A share of time, set out and arriving at rest: 10 t^3 - 15 t^4 + 6 t^5.
+static float soleSmoothly( float t )
+{
+	return t * t * t * ( 10.0f - t * ( 15.0f - 6.0f * t ) );
+}
+
+static soleStand soleStandOnWay( const soleLegWork* leg, const soleWay* way )
+{
+	return ( soleStand ){ way->from, way->to, soleSmoothly( soleShareOfTime( leg ) ) };
+}
+
+static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, solePlane plane )
+{
+	soleVec3 point = soleAtHeight( work, place, solePlaneHeight( work, plane, place ) );
+	return ( soleStand ){ point, point, 1.0f };
+}
+
 /// Keeps what differs between the last frame's plane and this one's, and lets it decay.
 static void soleInertialise( solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
@@ -263,6 +280,10 @@ void soleChooseFootholds( solePlaceWork* work )
 		}
 		soleLegState* state = leg->state;
 		solePlane old = soleRememberPlane( work, leg );
+		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
+		soleWay wayBefore = soleRememberWay( work, leg );
+		leg->standBefore = ( state->flags & sole_statePlanned ) != 0 ? soleStandOnWay( leg, &wayBefore )
+		                                                             : soleStandOnPlane( work, leg->soleCenter, old );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
@@ -278,6 +299,10 @@ void soleChooseFootholds( solePlaceWork* work )
 			state->planePoint_w = soleAdd( leg->raw.point, work->root_w );
 			state->planeNormal_w = leg->raw.normal;
 		}
+		soleWay way = soleRememberWay( work, leg );
+		leg->stand = leg->planned ? soleStandOnWay( leg, &way ) : soleStandOnPlane( work, leg->soleCenter, leg->raw );
+		state->flags &= ~(uint32_t)sole_stateGround;
+		state->flags |= leg->hasGround ? (uint32_t)sole_stateGround : 0u;
 		soleInertialise( work, leg, old );
 		leg->out->heightDemand = soleDot( leg->plane.point, work->up ) - work->reference;
 	}

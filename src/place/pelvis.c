@@ -23,11 +23,12 @@
 
 #define SLACK 0.055f       // D, in leg lengths
 #define LEAST_WEIGHT 0.01f // a leg that is planted less than this does not bind
-#define HEEL_FREE 0.06f    // L: a heel that is animated this high is free to be lifted further
+#define HEEL_DOWN 0.03f    // L: a heel that is animated this low stays as it is
+#define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
+#define LEAST_SPREAD 0.03f // L: of what the body stands on, for it to have a slope
 #define LEAST_SAY 0.5f     // of a leg that is leaving
 #define LEAVING_TIME 0.3f  // s: so long after it has left it need not reach
 #define SAY_TIME 0.3f      // s in which a leg gains or loses its say
-#define JUMP_SPEED 3.0f    // L/s: a root that moves faster than this beyond its speed has jumped
 
 typedef struct soleWishes
 {
@@ -51,7 +52,7 @@ static float soleOffsetFor( const solePlaceWork* work, const soleLegWork* leg, s
 /// How far the animation has raised the heel of a planted foot, 0 to 1.
 static float soleHeelBegun( const soleLegWork* leg )
 {
-	return soleSaturate( leg->heelRise / ( HEEL_FREE * leg->length ) );
+	return soleSaturate( ( leg->heelRise - HEEL_DOWN * leg->length ) / ( HEEL_FREE * leg->length ) );
 }
 
 /// Moves each leg's say towards what its contact gives it.
@@ -139,29 +140,53 @@ static float soleChooseOffset( soleWishes wishes )
 	return m + most > 1e-9f ? lowest + m * most / ( m + most ) : lowest;
 }
 
-/// Takes the root's jumps and changes of speed out of the pelvis.
-static void soleCompensateRoot( solePlaceWork* work, float legLength )
+// ----------------------------------------------------------------------------------------------------- body height
+
+/// Height of the ground that the body is over: of the line through what its legs stand on, by least squares, at the
+/// pelvis. The reference height where it stands on nothing.
+static float soleFindBodyGround( const solePlaceWork* work, bool before )
 {
-	soleState* state = work->state;
-	if ( work->first || !( work->timeStep > 0.0f ) )
+	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
+	soleVec3 ahead = soleAnyOrthogonal( work->up );
+	soleVec3 aside = soleCross( work->up, ahead );
+	float w = 0.0f, u = 0.0f, v = 0.0f, h = 0.0f;
+	float uu = 0.0f, uv = 0.0f, vv = 0.0f, uh = 0.0f, vh = 0.0f;
+	for ( int32_t i = 0; i < 2 * work->legCount; ++i )
 	{
-		return;
+		const soleLegWork* leg = work->legs + i / 2;
+		const soleStand* stand = before ? &leg->standBefore : &leg->stand;
+		bool counts = leg->usable && ( before ? leg->hadGround : leg->hasGround );
+		float weight = counts ? leg->weight * ( i % 2 == 0 ? 1.0f - stand->share : stand->share ) : 0.0f;
+		soleVec3 from = soleSub( i % 2 == 0 ? stand->from : stand->to, pelvis );
+		float du = soleDot( from, ahead ), dv = soleDot( from, aside ), dh = soleDot( from, work->up );
+		w += weight;
+		u += weight * du;
+		v += weight * dv;
+		h += weight * dh;
+		uu += weight * du * du;
+		uv += weight * du * dv;
+		vv += weight * dv * dv;
+		uh += weight * du * dh;
+		vh += weight * dv * dh;
 	}
-	// What goes on for a second frame is a new speed, not a jump.
-	float dt = work->timeStep;
-	float step = soleDot( soleSub( work->root_w, state->root_w ), work->up );
-	float speed = step / dt;
-	float jump = soleMaxF( work->settings->pelvis.rootJump * legLength, JUMP_SPEED * legLength * dt );
-	float extra = step - state->rootSpeed * dt;
-	float again = step - state->rootSuspect * dt;
-	bool lasting = ( extra <= jump && extra >= -jump ) || ( again <= jump && again >= -jump );
-	state->pelvis.value -= extra;
-	if ( lasting )
+	if ( !( w > 0.0f ) )
 	{
-		state->pelvis.velocity -= speed - state->rootSpeed;
-		state->rootSpeed = speed;
+		return work->reference;
 	}
-	state->rootSuspect = speed;
+	float perWeight = 1.0f / w;
+	u *= perWeight;
+	v *= perWeight;
+	h *= perWeight;
+	uu = uu * perWeight - u * u;
+	uv = uv * perWeight - u * v;
+	vv = vv * perWeight - v * v;
+	uh = uh * perWeight - u * h;
+	vh = vh * perWeight - v * h;
+	// Along the axis on which they lie furthest apart only: across it they say nothing.
+	soleHalf axis = soleMakeHalf( uu - vv, 2.0f * uv );
+	float spread = axis.c * axis.c * uu + 2.0f * axis.c * axis.s * uv + axis.s * axis.s * vv;
+	float slope = ( axis.c * uh + axis.s * vh ) / ( spread + work->bodyLeast );
+	return soleDot( pelvis, work->up ) + h - slope * ( axis.c * u + axis.s * v );
 }
 
 /// An offset within what the planted legs allow. Where their limits cross, reach wins and a leg folds.
@@ -175,7 +200,9 @@ static void soleFollow( solePlaceWork* work, soleWishes wishes, float goal, floa
 {
 	soleState* state = work->state;
 	float start = state->pelvis.value;
-	soleOffset1 spring = soleStepSpring( state->pelvis, goal, 0.0f, work->settings->pelvis.halfLife, work->timeStep );
+	bool up = goal > start;
+	float halfLife = up ? work->settings->pelvis.release : work->settings->pelvis.halfLife;
+	soleOffset1 spring = soleStepSpring( state->pelvis, goal, 0.0f, halfLife, work->timeStep );
 	float step = soleClampF( soleBind( wishes, spring.value ) - start, -most, most );
 	state->pelvis.value = start + step;
 	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;
@@ -191,17 +218,24 @@ void soleMovePelvis( solePlaceWork* work )
 		soleUpdateSay( work, work->legs + i );
 		legLength = soleMaxF( legLength, work->legs[i].usable ? work->legs[i].length : 0.0f );
 	}
-	soleCompensateRoot( work, legLength );
+	work->bodyLeast = LEAST_SPREAD * LEAST_SPREAD * legLength * legLength;
+	float before = soleFindBodyGround( work, true );
+	float ground = soleFindBodyGround( work, false );
+	float over = ground - work->reference;
 	soleWishes wishes = soleGatherWishes( work );
-	float goal = soleClampF( soleChooseOffset( wishes ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
+	wishes.ceiling -= over;
+	wishes.floor -= over;
+	float goal = soleClampF( soleChooseOffset( wishes ) - over, -s->pelvis.down * legLength, s->pelvis.up * legLength );
+	goal = wishes.any ? goal : 0.0f;
 	if ( work->first )
 	{
 		state->pelvis = ( soleOffset1 ){ soleBind( wishes, goal ), 0.0f };
 	}
 	else if ( work->timeStep > 0.0f )
 	{
+		state->pelvis.value += before - ground;
 		soleFollow( work, wishes, goal, s->pelvis.speed * legLength * work->timeStep );
 	}
 	float weight = soleClampF( work->frame->weight, 0.0f, 1.0f );
-	work->pelvisShift = soleFiniteOr( weight * state->pelvis.value, 0.0f );
+	work->pelvisShift = soleFiniteOr( weight * ( over + state->pelvis.value ), 0.0f );
 }

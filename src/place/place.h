@@ -20,6 +20,7 @@ enum
 	sole_stateToeOn = 1 << 3,
 	sole_stateBarred = 1 << 4,  // a lock was given up: no new one before the foot has been free
 	sole_statePlanned = 1 << 5, // in flight to stepPlace_w
+	sole_stateGround = 1 << 6,  // there was ground
 };
 
 /// What the ground is like at one place that was asked for.
@@ -42,6 +43,15 @@ typedef struct solePlane
 	soleVec3 normal;   // unit
 	soleVec3 gradient; // rise per length, horizontal
 } solePlane;
+
+/// What a leg stands on: where it stood last and where it will stand next, on the ground, and how much of the change
+/// is over. A foot that is down, or of which no more is known, stands on one place.
+typedef struct soleStand
+{
+	soleVec3 from;
+	soleVec3 to;
+	float share; // 0 from .. 1 to
+} soleStand;
 
 /// One leg during a frame.
 typedef struct soleLegWork
@@ -83,6 +93,7 @@ typedef struct soleLegWork
 	soleGroundSample* samples;
 	int32_t sampleCount;
 	bool hasGround;
+	bool hadGround; // a frame ago
 	solePlane raw;  // the plane that carries the sole, as the ground is now
 	float toeSlope; // rise per length of the ground in front of the ball, over the plane
 	int32_t surface;
@@ -98,6 +109,8 @@ typedef struct soleLegWork
 	bool planned;       // in flight to stepPlace
 	soleVec3 stepPlace; // of the ball
 	solePlane plane;    // raw with what is left of earlier ground
+	soleStand stand;
+	soleStand standBefore; // as the last frame knew it, for the time of this one
 
 	// lock
 	bool planted;         // is held
@@ -139,6 +152,7 @@ typedef struct solePlaceWork
 	bool first;        // nothing is remembered
 	float rootSpeed;   // horizontal, for fast gaits
 	float pelvisShift; // along up
+	float bodyLeast;   // square of the least spread of what the body stands on
 	soleTransform slots[SOLE_MAX_SLOTS];
 
 	int32_t legCount;

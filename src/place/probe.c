@@ -12,6 +12,7 @@
 
 #define FLYING 0.8f       // L/s
 #define STRIP_TIME 0.3f   // s before landing from which on the strip gets shorter
+#define CLIMB 0.7f        // rise per length: as much further up and down is asked for places ahead of the root
 #define STRIP_LEAST 0.02f // L: how far it goes beyond the sole at last
 
 /// How many probes of each kind.
@@ -200,8 +201,6 @@ int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t c
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		const soleLegWork* leg = work->legs + i;
-		float up = settings->probe.stepUp * leg->length;
-		float down = settings->probe.stepDown * leg->length;
 		for ( int32_t k = 0; k < perLeg && count < capacity; ++k )
 		{
 			// Probes that are not needed are asked with no length and no place: how many there are depends on rig and
@@ -213,6 +212,10 @@ int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t c
 			soleVec3 point;
 			if ( soleChoosePoint( work, leg, k, &point ) )
 			{
+				float away = soleLength( soleHorizontal( work, point ) );
+				float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
+				float up = settings->probe.stepUp * leg->length + further;
+				float down = settings->probe.stepDown * leg->length + further;
 				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + up ), work->root_w );
 				probe->length = up + down;
 				probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
