@@ -43,7 +43,7 @@ typedef struct soleSolePoints
 /// itself does.
 typedef struct soleAnkleLimits
 {
-	float dorsiflexion;   // toes up [0, 1.5] default 0.61 (35 degrees, weight bearing)
+	float dorsiflexion;   // toes up [0, 1.5] default 0.8 (46 degrees, weight bearing, knee bent)
 	float plantarflexion; // toes down [0, 1.5] default 0.87 (50 degrees)
 	float inversion;      // sole inwards [0, 1.5] default 0.61 (35 degrees)
 	float eversion;       // sole outwards [0, 1.5] default 0.35 (20 degrees)
@@ -188,11 +188,10 @@ typedef struct soleSettings
 	{
 		float down;     // furthest down. L [0, 1] default 0.45
 		float up;       // furthest up. L [0, 1] default 0.1
-		float halfLife; // of going down. s [0, 2] default 0.08
-		float release;  // of going up again. s [0, 4] default 0.4
-		float speed;    // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
-		float rootJump; // a root that moves more than this beyond its own speed in a frame has jumped. L [0, 1]
-		                // default 0.02
+		float halfLife; // s [0, 2] default 0.08
+		float hold;    // it stays down for so long after it had to, to be there for the next step. s [0, 4] default 1.2
+		float release; // half-life of its way up from there. s [0, 4] default 0.2
+		float speed;   // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
 		float
 		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
 	} pelvis;
@@ -258,6 +257,8 @@ typedef struct soleStepInput
 	/// root is now. Character space.
 	soleVec3 place;
 	soleVec3 forward;
+	/// In flight: how far the root will go until then. Character space.
+	soleVec3 travel;
 } soleStepInput;
 
 /// One step of a leg in a clip, from when the foot comes down to when it has left: soleFindSteps() finds them. Times
@@ -381,7 +382,6 @@ typedef struct soleLegState
 {
 	uint32_t flags;      // soleLegStateFlags, internal
 	float plantWeight;   // 0 free .. 1 has its full say in the pelvis
-	float say;           // how much of a say it has in where the pelvis should be
 	soleVec3 animHeel_w; // last animated sole points, for velocities
 	soleVec3 animBall_w;
 	soleVec3 lockPoint_w;   // where the locked sole point is held
@@ -407,11 +407,12 @@ typedef struct soleLegState
 /// many bytes from its start are in use for a rig.
 typedef struct soleState
 {
-	uint32_t frameCount; // frames since the last reset; 0: nothing is remembered
-	soleVec3 root_w;     // last position of the root
-	float rootSpeed;     // its last speed along up
-	float rootSuspect;   // a speed that it may have taken up, or a jump
-	soleOffset1 pelvis;  // offset of the pelvis along up over the ground that the body is over
+	uint32_t frameCount;    // frames since the last reset; 0: nothing is remembered
+	soleVec3 root_w;        // last position of the root
+	soleOffset1 pelvis;     // offset of the pelvis along up over the ground that the body is over
+	soleOffset1 pelvisLead; // which that follows
+	float pelvisHeld;       // where that has to go, as low as it had to lately
+	float pelvisHeldTime;   // for how long it had not to, s
 	double worldOrigin[3];
 	int32_t internalValue;
 	soleLegState legs[SOLE_MAX_LEGS];

@@ -187,7 +187,8 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg )
 	leg->planned = true;
 	leg->stepPlace = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
 	state->stepPlace_w = soleAdd( leg->stepPlace, work->root_w );
-	state->stepNormal_w = rest.plane.normal;
+	leg->stepNormal = rest.plane.normal;
+	state->stepNormal_w = leg->stepNormal;
 	soleWay way = soleRememberWay( work, leg );
 	state->stepRise = soleFindRise( work, leg, &way );
 	way.rise = state->stepRise;
@@ -233,21 +234,16 @@ static solePlane soleRememberPlane( const solePlaceWork* work, const soleLegWork
 	return soleMakePlane( work, soleSub( state->planePoint_w, work->root_w ), gradient );
 }
 
-/// A share of time, set out and arriving at rest: 10 t^3 - 15 t^4 + 6 t^5.
-static float soleSmoothly( float t )
-{
-	return t * t * t * ( 10.0f - t * ( 15.0f - 6.0f * t ) );
-}
-
 static soleStand soleStandOnWay( const soleLegWork* leg, const soleWay* way )
 {
-	return ( soleStand ){ way->from, way->to, soleSmoothly( soleShareOfTime( leg ) ) };
+	float time = soleShareOfTime( leg );
+	return ( soleStand ){ way->from, way->to, time, soleSmoothly( time ) };
 }
 
 static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, solePlane plane )
 {
 	soleVec3 point = soleAtHeight( work, place, solePlaneHeight( work, plane, place ) );
-	return ( soleStand ){ point, point, 1.0f };
+	return ( soleStand ){ point, point, 1.0f, 1.0f };
 }
 
 /// Keeps what differs between the last frame's plane and this one's, and lets it decay.

@@ -60,9 +60,10 @@ static void soleShiftState( soleState* state, const soleFrame* frame, int32_t le
 
 static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 {
-	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->rootSpeed ) &&
-	    soleIsFinite( state->rootSuspect ) && soleIsFinite( state->pelvis.value ) &&
-	    soleIsFinite( state->pelvis.velocity );
+	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->pelvis.value ) &&
+	    soleIsFinite( state->pelvis.velocity ) &&
+	    soleIsFinite( state->pelvisLead.value + state->pelvisLead.velocity ) && soleIsFinite( state->pelvisHeld ) &&
+	    soleIsFinite( state->pelvisHeldTime );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
 		const soleLegState* leg = state->legs + i;
@@ -74,7 +75,7 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleVec3_IsFinite( leg->slide.velocity ) && soleVec3_IsFinite( leg->gradient.value ) &&
 		    soleVec3_IsFinite( leg->gradient.velocity ) && soleIsFinite( leg->turn.value ) &&
 		    soleIsFinite( leg->turn.velocity ) && soleIsFinite( leg->height.value ) &&
-		    soleIsFinite( leg->height.velocity ) && soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->say ) &&
+		    soleIsFinite( leg->height.velocity ) && soleIsFinite( leg->plantWeight ) &&
 		    soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise ) &&
 		    soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
 	}
@@ -90,7 +91,7 @@ void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state
 	soleShiftState( state, frame, rig->legCount );
 }
 
-static float soleLongestLeg( const soleRig* rig )
+static float soleLongestRigLeg( const soleRig* rig )
 {
 	float longest = 0.0f;
 	for ( int32_t i = 0; i < rig->legCount; ++i )
@@ -103,8 +104,6 @@ static float soleLongestLeg( const soleRig* rig )
 /// A new start: nothing of an earlier place is left.
 static void soleForget( soleState* state, int32_t legCount )
 {
-	state->rootSpeed = 0.0f;
-	state->rootSuspect = 0.0f;
 	state->pelvis = ( soleOffset1 ){ 0.0f, 0.0f };
 	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
 }
@@ -119,7 +118,7 @@ static soleStepInput soleTakeStepInput( const soleFrame* frame, int32_t leg )
 	}
 	const soleStepInput* step = frame->steps + leg;
 	bool finite = soleIsFinite( step->since + step->until ) && soleVec3_IsFinite( step->place ) &&
-	    soleVec3_IsFinite( step->forward );
+	    soleVec3_IsFinite( step->forward ) && soleVec3_IsFinite( step->travel );
 	return finite ? *step : unknown;
 }
 
@@ -140,7 +139,7 @@ void soleSetUpFrame( solePlaceWork* work )
 	work->first = work->state->frameCount == 0 || frame->teleport;
 	if ( work->first == false )
 	{
-		float scaled = soleLongestLeg( work->rig ) * work->rootScale;
+		float scaled = soleLongestRigLeg( work->rig ) * work->rootScale;
 		float moved = soleDistance( work->root_w, work->state->root_w );
 		work->first = moved > TELEPORT * scaled && moved > 20.0f * scaled * work->timeStep;
 		soleVec3 travel = soleHorizontal( work, soleSub( work->root_w, work->state->root_w ) );

@@ -100,6 +100,7 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	soleChooseFootholds( work );
 	soleUpdateLocks( work );
 	soleSetTargets( work );
+	soleFindBodyGround( work );
 	soleMovePelvis( work );
 	soleSolveLegs( work );
 	soleLimitAnkles( work );

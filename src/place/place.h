@@ -50,6 +50,7 @@ typedef struct soleStand
 {
 	soleVec3 from;
 	soleVec3 to;
+	float time;  // share of it that is over
 	float share; // 0 from .. 1 to
 } soleStand;
 
@@ -88,6 +89,7 @@ typedef struct soleLegWork
 	bool foreseen;        // in flight, and where and when it will come down is known
 	soleVec3 landing;     // ball of the flat sole then, as the animation has it
 	soleVec3 landingForward;
+	soleVec3 travel; // of the root until then
 
 	// support
 	soleGroundSample* samples;
@@ -108,7 +110,8 @@ typedef struct soleLegWork
 	// foothold
 	bool planned;       // in flight to stepPlace
 	soleVec3 stepPlace; // of the ball
-	solePlane plane;    // raw with what is left of earlier ground
+	soleVec3 stepNormal;
+	solePlane plane; // raw with what is left of earlier ground
 	soleStand stand;
 	soleStand standBefore; // as the last frame knew it, for the time of this one
 
@@ -152,7 +155,8 @@ typedef struct solePlaceWork
 	bool first;        // nothing is remembered
 	float rootSpeed;   // horizontal, for fast gaits
 	float pelvisShift; // along up
-	float bodyLeast;   // square of the least spread of what the body stands on
+	float bodyGround;  // height of the ground that the body is over
+	float bodyBefore;  // the same by what the last frame knew
 	soleTransform slots[SOLE_MAX_SLOTS];
 
 	int32_t legCount;
@@ -198,6 +202,22 @@ static inline int32_t soleMinI( int32_t a, int32_t b )
 /// How many probes a leg asks for: depends on settings alone.
 int32_t soleProbesPerLeg( const soleSettings* settings );
 
+/// A share of time, set out and arriving at rest: 10 t^3 - 15 t^4 + 6 t^5.
+static inline float soleSmoothly( float t )
+{
+	return t * t * t * ( 10.0f - t * ( 15.0f - 6.0f * t ) );
+}
+
+static inline float soleLongestLeg( const solePlaceWork* work )
+{
+	float longest = 0.0f;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		longest = soleMaxF( longest, work->legs[i].usable ? work->legs[i].length : 0.0f );
+	}
+	return longest;
+}
+
 /// How long a leg may be: nothing is softened up to soft, nothing is longer than hard. An animation that stretches
 /// further keeps its own length.
 typedef struct soleReach
@@ -240,7 +260,9 @@ void soleChooseFootholds( solePlaceWork* work );
 void soleUpdateLocks( solePlaceWork* work );
 /// Ankle and foot goals.
 void soleSetTargets( solePlaceWork* work );
-/// One offset that all legs can live with.
+/// The ground that the body is over.
+void soleFindBodyGround( solePlaceWork* work );
+/// One height that all legs can live with.
 void soleMovePelvis( solePlaceWork* work );
 /// Heel lift, reach, two-bone.
 void soleSolveLegs( solePlaceWork* work );

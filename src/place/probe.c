@@ -64,6 +64,7 @@ static void soleForesee( const solePlaceWork* work, soleLegWork* leg )
 	soleQuat rotation = soleNormalizeQuat( work->frame->root.rotation );
 	soleVec3 place = soleRotate( rotation, soleMul( work->frame->root.scale, step->place ) );
 	soleVec3 forward = soleHorizontal( work, soleRotate( rotation, step->forward ) );
+	leg->travel = soleHorizontal( work, soleRotate( rotation, soleMul( work->frame->root.scale, step->travel ) ) );
 	leg->landing = soleAdd( place, soleTiltShift( work, leg, leg->state->planeNormal_w ) );
 	leg->landingForward = soleNormalizeOr( forward, leg->forward );
 }

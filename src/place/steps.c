@@ -75,6 +75,7 @@ void soleStepInput_Travel( soleStepInput* step, soleTransform travel )
 	SOLE_ASSERT( step != NULL );
 	if ( step != NULL )
 	{
+		step->travel = travel.translation;
 		step->place = soleTransformPoint( travel, step->place );
 		step->forward = soleRotate( travel.rotation, step->forward );
 	}

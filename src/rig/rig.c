@@ -19,7 +19,7 @@ soleLegDef soleDefaultLegDef( void )
 		def.toes[i] = SOLE_NONE;
 	}
 	def.detachedFoot = SOLE_NONE;
-	def.ankleLimits = ( soleAnkleLimits ){ 0.61f, 0.87f, 0.61f, 0.35f, 0.52f };
+	def.ankleLimits = ( soleAnkleLimits ){ 0.8f, 0.87f, 0.61f, 0.35f, 0.52f };
 	return def;
 }
 
@@ -179,6 +179,7 @@ static void soleBakeFoot( const soleRigDef* def, soleRigLeg* leg, soleVec3 ankle
 	leg->innerSide = soleDot( soleSub( d->sole.inner, d->sole.ball ), side );
 	leg->outerSide = soleDot( soleSub( d->sole.outer, d->sole.ball ), side );
 	leg->ankleHeight = soleDot( soleSub( ankle, d->sole.ball ), up );
+	leg->ankleBehind = soleDot( soleSub( d->sole.ball, ankle ), forward );
 
 	int32_t shin = d->joints[d->hasVirtualAnkle || d->jointCount < 2 ? d->jointCount - 1 : d->jointCount - 2];
 	soleQuat shinRotation = soleBindWorld( def, shin ).rotation;

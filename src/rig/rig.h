@@ -48,6 +48,7 @@ typedef struct soleRigLeg
 	float innerSide;  // signed along footSide
 	float outerSide;
 	float ankleHeight; // over the sole
+	float ankleBehind; // the ball
 
 	soleRange pitch; // about footSide, positive toes up
 	soleRange roll;  // about footForward
