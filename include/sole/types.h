@@ -388,8 +388,10 @@ typedef struct soleLegState
 	soleVec3 lockForward_w; // the heading at which the foot was locked
 	soleVec3 planePoint_w;  // the support plane of the last frame, or from which the foot has set out
 	soleVec3 planeNormal_w;
-	soleVec3 stepPlace_w; // where it is going to, ball
+	soleVec3 stepPlace_w; // where it is going to, or stands: ball
 	soleVec3 stepNormal_w;
+	float toeSlope;       // of the toes of a foot that stands
+	float chosenOver;     // how far its plane is over what is met under it
 	float stepRise;       // by which its path is raised over what lies between
 	soleOffset3 slide;    // horizontal offset of the foot from the animation
 	soleOffset1 turn;     // heading offset, tan( angle / 4 )

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Steps of a clip, from the labels of its motion over flat ground: when each foot comes down and leaves, and where it
-// stands in between as seen from where the root was when it came down.
+// stands then as seen from where the root is.
 #include "base/core.h"
 #include "measure/pose.h"
 
@@ -61,22 +61,29 @@ static void soleSetInterval( const soleStepFinder* finder, soleLabelRun run, flo
 	*up = any ? soleEndOf( finder, run.last ) : 0.0f;
 }
 
-/// Where the flat foot stands in the middle of its contact, as seen from the root of another frame.
-static void solePlaceStep( soleStepFinder* finder, int32_t standing, int32_t strike, soleStep* step )
+/// Where the foot stands if what touches first stays where it is, as seen from the root then: the ball of the flat
+/// foot. Its heading and how far the ball is from the heel are taken from a frame in which it stands.
+static void solePlaceStep( soleStepFinder* finder, int32_t standing, int32_t strike, bool heelFirst, soleStep* step )
 {
 	const soleMotion* motion = finder->motion;
 	const soleRig* rig = motion->rig;
+	soleVec3d up = soleUnitD( soleWiden( motion->up ), ( soleVec3d ){ 0.0, 1.0, 0.0 } );
 	soleEvaluateWorld( &finder->pose, motion, standing );
 	soleVec3d heel = soleGetCarried( &finder->pose, soleGetHeelPoint( rig, step->leg ) );
 	soleVec3d ball = soleGetCarried( &finder->pose, soleGetBallPoint( rig, step->leg ) );
+	soleVec3d along = soleRejectD( soleSubD( ball, heel ), up );
+	soleEvaluateWorld( &finder->pose, motion, strike );
+	soleVec3d place = soleGetCarried( &finder->pose, soleGetBallPoint( rig, step->leg ) );
+	if ( heelFirst )
+	{
+		place = soleAddD( soleGetCarried( &finder->pose, soleGetHeelPoint( rig, step->leg ) ), along );
+	}
 	soleTransform root = motion->roots[strike];
-	soleVec3 up = soleRig_GetUp( rig );
-	soleVec3 at = soleVec( (float)ball.x, (float)ball.y, (float)ball.z );
-	soleVec3 behind = soleVec( (float)heel.x, (float)heel.y, (float)heel.z );
-	soleVec3 place = soleInvTransformPoint( root, at );
-	soleVec3 along = soleReject( soleSub( place, soleInvTransformPoint( root, behind ) ), up );
-	step->place = soleMulAdd( soleReject( place, up ), motion->clipFloor, up );
-	step->forward = soleNormalizeOr( along, soleRig_GetForward( rig ) );
+	soleVec3 rigUp = soleRig_GetUp( rig );
+	soleVec3 at = soleInvTransformPoint( root, soleVec( (float)place.x, (float)place.y, (float)place.z ) );
+	soleVec3 heading = soleInvRotate( root.rotation, soleVec( (float)along.x, (float)along.y, (float)along.z ) );
+	step->place = soleMulAdd( soleReject( at, rigUp ), motion->clipFloor, rigUp );
+	step->forward = soleNormalizeOr( soleReject( heading, rigUp ), soleRig_GetForward( rig ) );
 }
 
 static soleStep soleMakeStep( soleStepFinder* finder, soleLabelRun run, int32_t leg )
@@ -89,7 +96,8 @@ static soleStep soleMakeStep( soleStepFinder* finder, soleLabelRun run, int32_t 
 	soleSetInterval( finder, heel, &step.heelDown, &step.heelUp );
 	soleSetInterval( finder, toe, &step.toeDown, &step.toeUp );
 	soleLabelRun standing = flat.first <= flat.last ? flat : ( toe.first <= toe.last ? toe : run );
-	solePlaceStep( finder, ( standing.first + standing.last ) / 2, run.first, &step );
+	bool heelFirst = heel.first <= heel.last && ( toe.first > toe.last || heel.first < toe.first );
+	solePlaceStep( finder, ( standing.first + standing.last ) / 2, run.first, heelFirst, &step );
 	return step;
 }
 

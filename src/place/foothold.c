@@ -22,7 +22,11 @@
 #include "place/rest.h"
 
 #define GENTLE 0.5f      // rise per length
-#define MUCH 0.02f       // of cost
+#define MUCH 0.02f       // of cost, for a place elsewhere
+#define LITTLE 0.005f    // for one near by
+#define STEP 0.022f      // L: ground this much higher than was foreseen is another step
+#define CHANGE 0.003f    // L: ground that has moved by more is read anew
+#define FEW 0.34f        // share of the places under a sole
 #define DEPTH 0.0022f    // L
 #define SHIFTS 4         // to either side
 #define BY_TIME 0.25f    // L: a step shorter than this goes by time
@@ -136,65 +140,102 @@ static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, sole
 	return cost + ( rest.found && rest.steep == false ? 0.0f : STEEP_COST );
 }
 
+/// The best of some places to either side of another, the nearest first.
+static void soleTryPlaces( const solePlaceWork* work, const soleLegWork* leg, soleVec3 middle, float apart, float gain,
+    soleVec3* best, float* least )
+{
+	float limit = *least - gain;
+	for ( int32_t i = 0; i < 2 * SHIFTS + 1; ++i )
+	{
+		// 0, 1, -1, 2, -2 ...
+		float steps = (float)( i % 2 == 1 ? ( i + 1 ) / 2 : -i / 2 );
+		soleVec3 place = soleMulAdd( middle, steps * apart, leg->landingForward );
+		float cost = soleCostOf( work, leg, place );
+		if ( cost < limit )
+		{
+			limit = cost;
+			*least = cost;
+			*best = place;
+		}
+	}
+}
+
 static soleVec3 soleChoosePlace( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
 	bool planned = ( state->flags & sole_statePlanned ) != 0;
-	soleVec3 before = soleSub( state->stepPlace_w, work->root_w );
-	float most = work->settings->foothold.shift * leg->length;
-	soleVec3 apart = soleHorizontal( work, soleSub( before, leg->landing ) );
-	if ( planned && leg->stepInput.until < work->settings->foothold.freeze && soleLength( apart ) < 2.0f * most )
-	{
-		return before;
-	}
-	soleVec3 best = planned ? before : leg->landing;
-	float least = soleCostOf( work, leg, best ) - ( planned ? MUCH : 0.0f );
-	for ( int32_t i = 0; i < 2 * SHIFTS + 1; ++i )
-	{
-		// 0, 1, -1, 2, -2 ...: of equals the nearest.
-		float step = (float)( i % 2 == 1 ? ( i + 1 ) / 2 : -i / 2 ) / (float)SHIFTS;
-		soleVec3 place = soleMulAdd( leg->landing, step * most, leg->landingForward );
-		float cost = soleCostOf( work, leg, place );
-		if ( cost < least )
-		{
-			least = cost;
-			best = place;
-		}
-	}
+	float apart = work->settings->foothold.shift * leg->length / (float)SHIFTS;
+	soleVec3 best = planned ? soleSub( state->stepPlace_w, work->root_w ) : leg->landing;
+	float least = soleCostOf( work, leg, best );
+	soleTryPlaces( work, leg, leg->landing, apart, planned ? MUCH : 0.0f, &best, &least );
+	soleTryPlaces( work, leg, best, apart / (float)( SHIFTS + 1 ), LITTLE, &best, &least );
 	return best;
+}
+
+/// The foothold is settled: near the end, unless the landing has moved far away from it.
+static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	soleVec3 apart = soleHorizontal( work, soleSub( soleSub( state->stepPlace_w, work->root_w ), leg->landing ) );
+	return ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < work->settings->foothold.freeze &&
+	    soleLength( apart ) < 2.0f * work->settings->foothold.shift * leg->length;
+}
+
+/// Chooses the foothold, or keeps it. @return false: there is no ground
+static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	soleVec3 place = soleChoosePlace( work, leg );
+	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
+	if ( rest.found == false )
+	{
+		return false;
+	}
+	place = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
+	state->stepPlace_w = soleAdd( place, work->root_w );
+	state->stepNormal_w = rest.plane.normal;
+	leg->toeSlope = rest.toeSlope;
+	leg->out->confidence = rest.confidence;
+	return true;
+}
+
+/// The foot leaves the plane on which it stood.
+static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	soleVec3 gradient = soleGradientOf( work, state->planeNormal_w );
+	solePlane plane = soleMakePlane( work, soleSub( state->planePoint_w, work->root_w ), gradient );
+	soleVec3 from = soleAtHeight( work, leg->soleCenter, solePlaneHeight( work, plane, leg->soleCenter ) );
+	state->planePoint_w = soleAdd( from, work->root_w );
+	state->flags |= (uint32_t)sole_statePlanned;
 }
 
 /// Sets out, or goes on, to the next foothold.
 static void solePlanStep( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	soleVec3 place = soleChoosePlace( work, leg );
-	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
-	leg->hasGround = rest.found;
-	if ( rest.found == false )
+	bool settled = soleIsSettled( work, leg );
+	if ( settled == false && soleChooseStep( work, leg ) == false )
 	{
+		leg->hasGround = false;
 		state->flags &= ~(uint32_t)sole_statePlanned;
 		return;
 	}
 	if ( ( state->flags & sole_statePlanned ) == 0 )
 	{
-		soleVec3 gradient = soleGradientOf( work, state->planeNormal_w );
-		solePlane plane = soleMakePlane( work, soleSub( state->planePoint_w, work->root_w ), gradient );
-		soleVec3 from = soleAtHeight( work, leg->soleCenter, solePlaneHeight( work, plane, leg->soleCenter ) );
-		state->planePoint_w = soleAdd( from, work->root_w );
-		state->flags |= (uint32_t)sole_statePlanned;
+		soleSetOut( work, leg );
 	}
 	leg->planned = true;
-	leg->stepPlace = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
-	state->stepPlace_w = soleAdd( leg->stepPlace, work->root_w );
-	leg->stepNormal = rest.plane.normal;
-	state->stepNormal_w = leg->stepNormal;
+	leg->hasGround = true;
 	soleWay way = soleRememberWay( work, leg );
-	state->stepRise = soleFindRise( work, leg, &way );
-	way.rise = state->stepRise;
+	leg->stepPlace = way.to;
+	leg->stepNormal = state->stepNormal_w;
+	if ( settled == false )
+	{
+		state->stepRise = soleFindRise( work, leg, &way );
+		way.rise = state->stepRise;
+	}
 	leg->raw = soleFollowWay( work, leg, &way, leg->soleCenter );
-	leg->toeSlope = rest.toeSlope;
-	leg->out->confidence = rest.confidence;
 	leg->out->flags |= (uint32_t)sole_legPlanned;
 }
 
@@ -246,6 +287,99 @@ static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, so
 	return ( soleStand ){ point, point, 1.0f, 1.0f };
 }
 
+/// The plane that was chosen for a foot.
+static solePlane soleGetChosen( const solePlaceWork* work, const soleLegState* state )
+{
+	soleVec3 gradient = soleGradientOf( work, state->stepNormal_w );
+	return soleMakePlane( work, soleSub( state->stepPlace_w, work->root_w ), gradient );
+}
+
+/// How far a plane is over the one that is met under the foot, under its load point.
+static float soleHeightOver( const solePlaceWork* work, const soleLegWork* leg, solePlane plane )
+{
+	return solePlaneHeight( work, plane, leg->raw.point ) - soleDot( leg->raw.point, work->up );
+}
+
+/// A foot stands on a plane from now on.
+static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	soleVec3 place = soleAtHeight( work, leg->soleCenter, solePlaneHeight( work, leg->raw, leg->soleCenter ) );
+	state->stepPlace_w = soleAdd( place, work->root_w );
+	state->stepNormal_w = leg->raw.normal;
+	state->toeSlope = leg->toeSlope;
+	state->flags |= (uint32_t)sole_stateChosen;
+	state->flags &= ~(uint32_t)sole_stateCompared;
+}
+
+/// A foot that has just come down: on what was foreseen, where a toe that just meets a riser, or a heel, would have it
+/// stand on the step over it; else on what is met under it. Once it is held its ground is asked for closely, and that
+/// is what it stands on.
+static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
+{
+	solePlane chosen = soleGetChosen( work, leg->state );
+	float over = soleHeightOver( work, leg, chosen );
+	if ( foreseen && over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length &&
+	    leg->share < FEW )
+	{
+		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
+		leg->raw = soleMakePlane( work, point, chosen.gradient );
+		leg->toeSlope = 0.0f;
+	}
+	if ( ( leg->state->flags & sole_stateLocked ) != 0 )
+	{
+		soleSettleOn( work, leg );
+	}
+	else
+	{
+		leg->state->flags |= foreseen ? (uint32_t)sole_stateForeseen : 0u;
+	}
+}
+
+/// A foot that stands keeps its plane until the ground under it changes.
+static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	solePlane chosen = soleGetChosen( work, state );
+	float over = soleHeightOver( work, leg, chosen );
+	bool compared = ( state->flags & sole_stateCompared ) != 0;
+	float change = over - state->chosenOver;
+	float most = CHANGE * leg->length;
+	if ( leg->hasGround == false || ( compared && ( change > most || change < -most ) ) )
+	{
+		state->flags &= ~(uint32_t)sole_stateChosen;
+		return;
+	}
+	state->chosenOver = compared ? state->chosenOver : over;
+	state->flags |= (uint32_t)sole_stateCompared;
+	leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
+	leg->toeSlope = state->toeSlope;
+}
+
+static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	const uint32_t chosen = (uint32_t)sole_stateChosen;
+	const uint32_t foreseen = (uint32_t)( sole_statePlanned | sole_stateForeseen );
+	uint32_t flags = state->flags;
+	state->flags &= ~foreseen;
+	if ( leg->touches == false )
+	{
+		state->flags &= ~chosen;
+	}
+	else if ( ( flags & chosen ) != 0 )
+	{
+		soleStandOn( work, leg );
+	}
+	else if ( leg->hasGround )
+	{
+		soleComeDown( work, leg, ( flags & foreseen ) != 0 );
+	}
+	leg->raw.point = soleMulAdd( leg->raw.point, soleFindObstacle( work, leg ), work->up );
+	state->planePoint_w = soleAdd( leg->raw.point, work->root_w );
+	state->planeNormal_w = leg->raw.normal;
+}
+
 /// Keeps what differs between the last frame's plane and this one's, and lets it decay.
 static void soleInertialise( solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
@@ -285,15 +419,9 @@ void soleChooseFootholds( solePlaceWork* work )
 		{
 			solePlanStep( work, leg );
 		}
-		else
-		{
-			state->flags &= ~(uint32_t)sole_statePlanned;
-		}
 		if ( leg->planned == false )
 		{
-			leg->raw.point = soleMulAdd( leg->raw.point, soleFindObstacle( work, leg ), work->up );
-			state->planePoint_w = soleAdd( leg->raw.point, work->root_w );
-			state->planeNormal_w = leg->raw.normal;
+			soleFollowGround( work, leg );
 		}
 		soleWay way = soleRememberWay( work, leg );
 		leg->stand = leg->planned ? soleStandOnWay( leg, &way ) : soleStandOnPlane( work, leg->soleCenter, leg->raw );

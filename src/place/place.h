@@ -18,9 +18,12 @@ enum
 	sole_stateByHeel = 1 << 1, // lockPoint_w is the heel's place, else the ball's
 	sole_stateHeelOn = 1 << 2, // contact of heel and toe, with hysteresis
 	sole_stateToeOn = 1 << 3,
-	sole_stateBarred = 1 << 4,  // a lock was given up: no new one before the foot has been free
-	sole_statePlanned = 1 << 5, // in flight to stepPlace_w
-	sole_stateGround = 1 << 6,  // there was ground
+	sole_stateBarred = 1 << 4,   // a lock was given up: no new one before the foot has been free
+	sole_statePlanned = 1 << 5,  // in flight to stepPlace_w
+	sole_stateChosen = 1 << 7,   // it stands on the plane of stepPlace_w
+	sole_stateCompared = 1 << 8, // how far that is over what is met is known
+	sole_stateForeseen = 1 << 9, // it has come down where it was planned to, a frame ago
+	sole_stateGround = 1 << 6,   // there was ground
 };
 
 /// What the ground is like at one place that was asked for.
@@ -98,6 +101,7 @@ typedef struct soleLegWork
 	bool hadGround; // a frame ago
 	solePlane raw;  // the plane that carries the sole, as the ground is now
 	float toeSlope; // rise per length of the ground in front of the ball, over the plane
+	float share;    // of the places under the sole that bear
 	int32_t surface;
 	soleVec3 surfaceVelocity; // world
 

@@ -5,15 +5,15 @@
 // a raised heel asks for the ground it will come to rest on. A held foot asks where it is held. A foot in flight whose
 // next foothold is foreseen asks there: a strip along its heading, as long as the step may be shifted and shorter the
 // nearer the foot has come, both sides of the ball, and some places on the way there. One in flight that is not
-// foreseen asks under itself and a little ahead of its toes.
+// foreseen asks under itself and a little ahead of its toes. One that has just been planted reads its ground closely.
 // Each probe is a vertical segment around the reference height (the clip's floor as the root carries it), never around
 // the foot: a foot that is inside a step still finds the step's top.
 #include "place/place.h"
 
-#define FLYING 0.8f       // L/s
-#define STRIP_TIME 0.3f   // s before landing from which on the strip gets shorter
-#define CLIMB 0.7f        // rise per length: as much further up and down is asked for places ahead of the root
-#define STRIP_LEAST 0.02f // L: how far it goes beyond the sole at last
+#define FLYING 0.8f     // L/s
+#define STRIP_TIME 0.3f // s before landing from which on the strip gets shorter
+#define CLIMB 0.7f      // rise per length: as much further up and down is asked for places ahead of the root
+#define STRIP_END 0.05f // L: at last a third of it is as long as this about each end of the sole
 
 /// How many probes of each kind.
 typedef struct soleProbeCounts
@@ -65,7 +65,9 @@ static void soleForesee( const solePlaceWork* work, soleLegWork* leg )
 	soleVec3 place = soleRotate( rotation, soleMul( work->frame->root.scale, step->place ) );
 	soleVec3 forward = soleHorizontal( work, soleRotate( rotation, step->forward ) );
 	leg->travel = soleHorizontal( work, soleRotate( rotation, soleMul( work->frame->root.scale, step->travel ) ) );
-	leg->landing = soleAdd( place, soleTiltShift( work, leg, leg->state->planeNormal_w ) );
+	bool planned = ( leg->state->flags & sole_statePlanned ) != 0;
+	soleVec3 normal = planned ? leg->state->stepNormal_w : leg->state->planeNormal_w;
+	leg->landing = soleAdd( place, soleTiltShift( work, leg, normal ) );
 	leg->landingForward = soleNormalizeOr( forward, leg->forward );
 }
 
@@ -130,16 +132,33 @@ static soleVec3 soleProbePoint(
 	return soleMulAdd( p, sideways * work->rootScale, side );
 }
 
-/// Probe k of count along the strip: over all of it while the foot is far, over the sole and its ends when near.
+/// Probe k of count along the strip: evenly over all of it while the foot is far; when it is near, over the sole, most
+/// of them about its ends, where an edge matters most.
 static soleVec3 soleStripPoint(
     const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, int32_t k, int32_t count )
 {
 	float far = soleSaturate( leg->stepInput.until / STRIP_TIME );
-	float beyond = soleMaxF( far * work->settings->foothold.shift, STRIP_LEAST ) * leg->length;
-	float heel = -leg->rig->heelBehind * work->rootScale - beyond;
-	float toe = leg->rig->toeAhead * work->rootScale + beyond;
-	float share = count > 1 ? (float)k / (float)( count - 1 ) : heel / ( heel - toe );
-	return soleMulAdd( center, heel + share * ( toe - heel ), leg->landingForward );
+	float heel = -leg->rig->heelBehind * work->rootScale;
+	float toe = leg->rig->toeAhead * work->rootScale;
+	if ( count < 2 )
+	{
+		return center;
+	}
+	float share = (float)k / (float)( count - 1 );
+	float beyond = work->settings->foothold.shift * leg->length;
+	float even = heel - beyond + share * ( toe - heel + 2.0f * beyond );
+	float end = STRIP_END * leg->length;
+	float spread = 3.0f * share * end; // of the first third, and of the last
+	float near = heel - 0.5f * end + spread;
+	if ( 3 * k > 2 * ( count - 1 ) )
+	{
+		near = toe + 0.5f * end - 3.0f * ( 1.0f - share ) * end;
+	}
+	else if ( 3 * k > count - 1 )
+	{
+		near = heel + 0.5f * end + ( 3.0f * share - 1.0f ) * ( toe - heel - end );
+	}
+	return soleMulAdd( center, near + far * ( even - near ), leg->landingForward );
 }
 
 /// Where probe k of a foot asks that will land somewhere.
@@ -181,10 +200,14 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	{
 		return soleChooseLandingPoint( work, leg, k, point );
 	}
-	soleProbeCounts counts = soleGetProbeCounts( work->settings->probe.layout );
+	soleProbeLayout layout = work->settings->probe.layout;
+	// A foot that has just been planted reads its ground closely, once.
+	bool closely = ( leg->state->flags & ( sole_stateLocked | sole_stateChosen ) ) == sole_stateLocked;
+	layout = closely && layout == sole_probeEconomy ? sole_probeQuality : layout;
+	soleProbeCounts counts = soleGetProbeCounts( layout );
 	if ( k < counts.sole )
 	{
-		soleProbePlace place = soleChoosePlaces( work->settings->probe.layout )[k];
+		soleProbePlace place = soleChoosePlaces( layout )[k];
 		*point = soleProbePoint( work, leg, leg->soleCenter, leg->soleForward, place );
 		return true;
 	}

@@ -82,6 +82,7 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 		soleRest rest = soleRestSole( work, leg, leg->soleCenter, leg->soleForward, false );
 		leg->raw = rest.plane;
 		leg->toeSlope = rest.toeSlope;
+		leg->share = rest.share;
 		leg->surface = rest.surface;
 		leg->surfaceVelocity = rest.velocity;
 		leg->out->confidence = rest.confidence;
