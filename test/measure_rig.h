@@ -217,6 +217,22 @@ static inline soleTerrain* rigMakePlane( float height, float slope )
 	return terrain;
 }
 
+#define RIG_MAX_POINTS 1000
+
+/// What to measure a motion with its own labels by: all points of the soles.
+static inline soleMeasureDef rigMeasureDef( const rigMotion* m, const soleTerrain* terrain )
+{
+	static soleMeasurePoint points[RIG_MAX_POINTS];
+	soleMeasureDef def = soleDefaultMeasureDef();
+	def.motion = &m->motion;
+	def.labels = m->labels;
+	def.terrain = terrain;
+	def.points = points;
+	def.pointCount = soleMakeMeasurePoints( m->motion.rig, points, RIG_MAX_POINTS );
+	assert_true( def.pointCount <= RIG_MAX_POINTS );
+	return def;
+}
+
 /// Memory that fails from the n-th request on, and knows what is still held.
 typedef struct rigMemory
 {

@@ -40,6 +40,7 @@ static bool toolAllocTake(
 	take->roots = toolAlloc( frames, sizeof *take->roots );
 	take->referencePoses = toolAlloc( frames * joints, sizeof *take->referencePoses );
 	take->referenceRoots = toolAlloc( frames, sizeof *take->referenceRoots );
+	take->seams = toolAlloc( frames, sizeof *take->seams );
 	take->labels = toolAlloc( frames * (size_t)soleRig_GetLegCount( character->rig ), 1 );
 	return true;
 }
@@ -51,6 +52,7 @@ void toolFreeTake( toolTake* take )
 	free( take->referencePoses );
 	free( take->referenceRoots );
 	free( take->labels );
+	free( take->seams );
 	*take = ( toolTake ){ 0 };
 }
 
@@ -107,6 +109,7 @@ bool toolMakeTake( const toolCharacter* character, const toolTakeDef* def, toolT
 	{
 		take->roots[i] = def->roots != NULL ? def->roots[i] : soleTransform_Identity();
 		take->referenceRoots[i] = toolFlattenRoot( character, def->inputRoots[i], def->clipFloor );
+		take->seams[i] = def->seams != NULL && def->seams[i];
 	}
 	if ( toolLabelTake( character, def->clipFloor, take, error ) == false )
 	{
@@ -146,6 +149,7 @@ bool toolMakeClipTake( const toolCharacter* character, const toolBoundClip* boun
 		root.translation = soleRotate( upright, root.translation );
 		root.rotation = soleMulQuat( upright, root.rotation );
 		take->referenceRoots[i] = toolFlattenRoot( character, root, travel->clipFloor );
+		take->seams[i] = toolCrossesSeam( bound, travel, (double)( i - 1 ) / fps, time );
 	}
 	memcpy( take->poses, take->referencePoses, (size_t)count * joints * sizeof *take->poses );
 	memcpy( take->roots, take->referenceRoots, (size_t)count * sizeof *take->roots );
@@ -253,12 +257,17 @@ bool toolRebuildTake( const toolCharacter* character, int32_t bakedClip, const t
 	for ( int32_t i = 0; i < info->frameCount; ++i )
 	{
 		soleTransform own; // what it does to the root is in the baked travel
-		soleTransform* pose = take->referencePoses + (size_t)i * joints;
-		toolSampleLooped( character, base, &travel, (double)i / info->fps * info->rate, pose, &own );
-		soleTransform from = toolPoseWorld( character, pose, info->travel );
-		soleTransform to = toolPoseWorld( character, take->poses + (size_t)i * joints, info->travel );
-		take->roots[i] = soleTransform_Identity();
-		take->referenceRoots[i] = toolFlattenRoot( character, toolFindMove( from, to ), travel.clipFloor );
+		double time = (double)i / info->fps * info->rate;
+		soleTransform* input = take->referencePoses + (size_t)i * joints;
+		soleTransform* pose = take->poses + (size_t)i * joints;
+		toolSampleLooped( character, base, &travel, time, input, &own );
+		soleTransform from = toolPoseWorld( character, input, info->travel );
+		soleTransform to = toolPoseWorld( character, pose, info->travel );
+		// The travel goes back from the pose to the root, as far as it can be told from what a method did to its node.
+		take->roots[i] = toolFindMove( from, to );
+		toolMovePose( character, pose, info->travel, toolFindMove( to, from ) );
+		take->referenceRoots[i] = toolFlattenRoot( character, take->roots[i], travel.clipFloor );
+		take->seams[i] = toolCrossesSeam( base, &travel, time - info->rate / info->fps, time );
 	}
 	if ( toolLabelTake( character, travel.clipFloor, take, error ) == false )
 	{
@@ -273,7 +282,7 @@ bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTak
 	const toolClip* reference = character->model->clips + clip;
 	toolBakeInfo info;
 	bool alike = toolReadBakeInfo( reference, &info ) && info.frameCount == take->frameCount &&
-	    fabs( info.fps - (double)take->frameRate ) < 1e-3;
+	    info.travel < character->jointCount && fabs( info.fps - (double)take->frameRate ) < 1e-3;
 	if ( alike == false )
 	{
 		return toolFail( error, "clip '%s' is no bake of %d frames at %g fps: bake both in one run", reference->name,
@@ -285,7 +294,9 @@ bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTak
 	}
 	for ( int32_t i = 0; i < take->frameCount; ++i )
 	{
-		take->referenceRoots[i] = soleTransform_Identity();
+		soleTransform* pose = take->referencePoses + (size_t)i * (size_t)character->jointCount;
+		toolMovePose( character, pose, info.travel, toolFindMove( take->roots[i], soleTransform_Identity() ) );
+		take->referenceRoots[i] = take->roots[i];
 	}
 	take->referenceOnGround = true;
 	return true;
@@ -330,6 +341,7 @@ bool toolMeasureTake( const toolCharacter* character, const toolTake* take, cons
 	def.points = character->points;
 	def.pointCount = character->pointCount;
 	def.skip = take->skip;
+	def.seams = take->seams;
 	soleMessage message = { { 0 } };
 	soleResult result = soleMeasureMotion( &def, NULL, figures, &message );
 	if ( result == sole_success && referenceFigures != NULL )
@@ -355,6 +367,7 @@ bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* resu
 		.roots = result->walk.roots,
 		.inputPoses = result->input,
 		.inputRoots = result->walk.roots,
+		.seams = result->walk.seams,
 	};
 	toolTake take;
 	if ( toolMakeTake( character, &def, &take, error ) == false )

@@ -24,6 +24,7 @@ typedef struct toolTake
 	/// The reference goes over the same ground as the take: it was given by the user.
 	bool referenceOnGround;
 	uint8_t* labels; // frameCount * legCount, soleContactLabel each
+	bool* seams;     // frameCount, as in soleMeasureDef
 } toolTake;
 
 /// What a take is made from. All arrays are copied.
@@ -37,6 +38,7 @@ typedef struct toolTakeDef
 	const soleTransform* inputPoses; // the clip's own, in place
 	/// Where the clip was moved: its way along the floor and its heading are the reference's.
 	const soleTransform* inputRoots;
+	const bool* seams; // NULL: none
 } toolTakeDef;
 
 /// Fails where memory for labels does, or where a pose is not usable.

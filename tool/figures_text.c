@@ -58,6 +58,8 @@ static const toolFigure toolLegFigures[] = {
 	LEG( "drift", "max", "drift per stance, max", "mm", 1e3, 2, drift.max ),
 	LEG_COUNT( "stances", "stances", "", stances ),
 	LEG_COUNT( "overExtended", "over-extended", "frames", overExtended ),
+	LEG_COUNT( "swings", "swings", "", swings ),
+	LEG_COUNT( "scuffs", "under the ground in swing", "", scuffs ),
 	LEG( NULL, "clearance", "clearance in swing, p5", "mm", 1e3, 1, clearance ),
 	LEG( NULL, "kneeAccelerationRms", "knee acceleration, RMS", "deg/s2", 180.0 / PI, 0, kneeAccelerationRms ),
 	LEG( NULL, "kneeAccelerationMax", "knee acceleration, max", "deg/s2", 180.0 / PI, 0, kneeAccelerationMax ),
@@ -68,6 +70,8 @@ static const toolFigure toolBodyFigures[] = {
 	BODY( "pelvisJerk", "pelvis jerk, RMS", "m/s3", 1.0, 1, pelvisJerk ),
 	BODY( "pelvisLargestStep", "pelvis, largest step", "mm", 1e3, 2, pelvisLargestStep ),
 	BODY( "deviation", "deviation from reference", "deg", 180.0 / PI, 2, deviation ),
+	BODY( "pelvisOffsetRms", "pelvis offset, RMS", "mm", 1e3, 2, pelvisOffsetRms ),
+	BODY( "pelvisOffsetMax", "pelvis offset, max", "mm", 1e3, 2, pelvisOffsetMax ),
 };
 
 /// Offsets in soleFigures.

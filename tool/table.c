@@ -213,7 +213,7 @@ static bool toolMakeCells( const toolTableDef* def, const toolTableGround* groun
 bool toolMakeTable( const toolTableDef* def, toolTable* table, toolError* error )
 {
 	int32_t total = def->groundCount * def->methodCount * def->rateCount;
-	*table = ( toolTable ){ .cells = toolAlloc( (size_t)total, sizeof *table->cells ) };
+	*table = ( toolTable ){ .clip = def->bound->clip->name, .cells = toolAlloc( (size_t)total, sizeof *table->cells ) };
 	bool good = true;
 	for ( int32_t g = 0; g < def->groundCount && good; ++g )
 	{

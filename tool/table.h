@@ -94,6 +94,7 @@ typedef struct toolTableDef
 
 typedef struct toolTable
 {
+	const char* clip;
 	toolTableCell* cells; // ground, method, rate
 	int32_t cellCount;
 } toolTable;
@@ -105,7 +106,7 @@ void toolFreeTable( toolTable* table );
 
 /// A row a cell. Figures that miss their target have a '!' behind them; the last line counts.
 void toolPrintTable( FILE* stream, const toolTable* table );
-/// [ { "ground", "fps", "method", "legs", "whole", "referenceFigures", "ratios", "rate", "targets" } ]
+/// [ { "clip", "ground", "fps", "method", "legs", "whole", "referenceFigures", "ratios", "rate", "targets" } ]
 struct json_object* toolTableToJson( const soleRig* rig, const toolTable* table );
 
 #endif

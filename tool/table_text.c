@@ -198,6 +198,7 @@ struct json_object* toolTableToJson( const soleRig* rig, const toolTable* table 
 	{
 		const toolTableCell* cell = table->cells + i;
 		struct json_object* object = toolFiguresToJson( rig, &cell->figures );
+		json_object_object_add( object, "clip", json_object_new_string( table->clip ) );
 		json_object_object_add( object, "ground", json_object_new_string( cell->ground ) );
 		json_object_object_add( object, "fps", json_object_new_int( cell->fps ) );
 		json_object_object_add( object, "method", json_object_new_string( cell->method->name ) );

@@ -111,7 +111,9 @@ typedef struct soleLegFigures
 	soleStat drift;               // m per stance: mean and max (p95 over stances)
 	int32_t stances;
 	int32_t overExtended;       // frames
-	double clearance;           // m, least sole height in mid swing, 5th percentile
+	int32_t swings;             // between two stances, long enough to have a middle
+	int32_t scuffs;             // swings in whose middle a sole point is under the ground
+	double clearance;           // m, least height of the sole in mid swing, 5th percentile over swings
 	double kneeAccelerationRms; // rad/s^2
 	double kneeAccelerationMax;
 	double largestJump; // rad, largest change of a joint's local rotation in a frame
@@ -126,6 +128,8 @@ typedef struct soleFigures
 	double pelvisJerk;        // m/s^3, RMS of the third difference of pelvis height
 	double pelvisLargestStep; // m, largest change of pelvis height in a frame
 	double deviation;         // rad, RMS angle to the reference's local rotations over leg joints; 0 without one
+	double pelvisOffsetRms;   // m, between the pelvises of motion and reference, each seen from its own root
+	double pelvisOffsetMax;
 } soleFigures;
 
 typedef struct soleMeasureDef
@@ -140,6 +144,9 @@ typedef struct soleMeasureDef
 	int32_t pointCount;
 	/// Frames left out at the start. default 0
 	int32_t skip;
+	/// frameCount: true where the motion does not go on from the frame before, as after the seam of a loop that is not
+	/// closed. Differences across such a seam count for nothing. NULL: there is none.
+	const bool* seams;
 	int32_t internalValue;
 } soleMeasureDef;
 
