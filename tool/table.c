@@ -79,22 +79,24 @@ double toolGetRowReference( const toolTableCell* cell, toolRowFigure figure )
 	return toolPickFigure( &cell->reference, figure );
 }
 
-toolVerdict toolJudge( const toolTarget* target, const toolTableCell* cell )
+double toolGetExcess( const toolTarget* target, const toolTableCell* cell )
 {
+	// Without contacts figures over contacts are empty, not good.
+	if ( cell->figures.all.labelledFrames == 0 )
+	{
+		return (double)NAN;
+	}
 	double figure = toolGetRowFigure( cell, target->figure );
 	double limit = target->limit;
 	if ( target->ofInput > 0.0 )
 	{
 		limit = fmax( limit, target->ofInput * toolGetRowReference( cell, target->figure ) );
 	}
-	// Without contacts figures over contacts are empty, not good.
-	bool empty = cell->figures.all.labelledFrames == 0;
-	if ( isnan( figure ) || empty )
+	if ( limit <= 0.0 )
 	{
-		return tool_targetIdle;
+		return 1.0 + figure;
 	}
-	bool holds = target->atLeast ? figure >= limit : figure <= limit;
-	return holds ? tool_targetHolds : tool_targetMissed;
+	return target->atLeast ? limit / figure : figure / limit;
 }
 
 // ----------------------------------------------------------------------------------------------------------- make

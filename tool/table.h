@@ -62,14 +62,9 @@ typedef struct toolTarget
 
 const toolTarget* toolGetTargets( int32_t* count );
 
-typedef enum toolVerdict
-{
-	tool_targetHolds,
-	tool_targetMissed,
-	tool_targetIdle // says nothing of this cell
-} toolVerdict;
-
-toolVerdict toolJudge( const toolTarget* target, const toolTableCell* cell );
+/// How many times its limit a figure is, or how many times below it where it must be at least that: up to 1 the target
+/// holds. Against a limit of 0 one more than the figure. Not a number where the target says nothing of the cell.
+double toolGetExcess( const toolTarget* target, const toolTableCell* cell );
 
 // ----------------------------------------------------------------------------------------------------------- make
 
