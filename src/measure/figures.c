@@ -49,7 +49,7 @@ static soleResult soleCheckPoints( const soleMeasureDef* def, soleMessage* messa
 	return sole_success;
 }
 
-static soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* message )
+soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* message )
 {
 	if ( def == NULL || def->internalValue != SOLE_COOKIE )
 	{
@@ -83,6 +83,12 @@ static soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* m
 		return soleRefuse( message, "skip leaves no frame of motion: give less than motion.frameCount, at least 0" );
 	}
 	return soleCheckPoints( def, message );
+}
+
+double soleFindReach( const soleMotion* motion, int32_t leg )
+{
+	double scale = fabs( (double)motion->roots[0].scale.x );
+	return REACH * scale * (double)soleRig_GetLegLength( motion->rig, leg );
 }
 
 // --------------------------------------------------------------------------------------------------------- memory
@@ -283,10 +289,9 @@ soleResult soleMeasureMotion(
 		.figures = figures,
 	};
 	figures->legCount = m.legCount;
-	double scale = fabs( (double)def->motion->roots[0].scale.x );
 	for ( int32_t leg = 0; leg < m.legCount; ++leg )
 	{
-		m.reach[leg] = REACH * scale * (double)soleRig_GetLegLength( m.rig, leg );
+		m.reach[leg] = soleFindReach( def->motion, leg );
 	}
 	if ( soleMakeMeasurement( &m ) == false )
 	{

@@ -76,12 +76,17 @@ static inline void soleAddSample( soleMeasurement* m, soleSampleKind kind, int32
 	m->samples[row * (size_t)m->frameCount + (size_t)slot] = value;
 }
 
-/// Does the motion go on from frame to frame + steps?
-static inline bool soleIsSmooth( const soleMeasurement* m, int32_t frame, int32_t steps )
+/// Is everything there that measuring needs?
+soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* message );
+/// How far over a point of a leg's sole its ground is looked for, m.
+double soleFindReach( const soleMotion* motion, int32_t leg );
+
+/// Does the motion go on from a frame to one that is some steps later?
+static inline bool soleIsSmooth( const soleMeasureDef* def, int32_t frame, int32_t steps )
 {
-	for ( int32_t k = 1; k <= steps && m->def->seams != NULL; ++k )
+	for ( int32_t k = 1; k <= steps && def->seams != NULL; ++k )
 	{
-		if ( m->def->seams[frame + k] )
+		if ( def->seams[frame + k] )
 		{
 			return false;
 		}

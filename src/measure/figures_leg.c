@@ -33,7 +33,7 @@ static void soleMeasureKnees( soleMeasurement* m, int32_t leg )
 	{
 		for ( int32_t frame = m->def->skip + 1; frame + 1 < m->frameCount; ++frame )
 		{
-			if ( soleIsSmooth( m, frame - 1, 2 ) == false )
+			if ( soleIsSmooth( m->def, frame - 1, 2 ) == false )
 			{
 				continue;
 			}
@@ -87,7 +87,7 @@ void soleMeasureLeg( soleMeasurement* m, int32_t leg )
 		bool stretched = soleIsStretched( soleGetLegFrame( m, frame, leg )->chain, m->chainCounts[leg] );
 		bool allowed = m->stretched[(size_t)frame * (size_t)m->legCount + (size_t)leg] != 0;
 		figures->overExtended += stretched && allowed == false;
-		bool follows = frame > def->skip && soleIsSmooth( m, frame - 1, 1 );
+		bool follows = frame > def->skip && soleIsSmooth( m->def, frame - 1, 1 );
 		for ( int32_t k = 0; k < count && follows; ++k )
 		{
 			soleQuat before = soleLocalRotation( def->motion, m->jointCount, frame - 1, joints[k] );
@@ -104,11 +104,11 @@ static void soleMeasurePelvis( soleMeasurement* m )
 	for ( int32_t frame = m->def->skip; frame + 1 < m->frameCount; ++frame )
 	{
 		const double* h = m->pelvis + frame;
-		if ( soleIsSmooth( m, frame, 1 ) )
+		if ( soleIsSmooth( m->def, frame, 1 ) )
 		{
 			m->figures->pelvisLargestStep = fmax( m->figures->pelvisLargestStep, fabs( h[1] - h[0] ) );
 		}
-		if ( frame + 3 < m->frameCount && soleIsSmooth( m, frame, 3 ) )
+		if ( frame + 3 < m->frameCount && soleIsSmooth( m->def, frame, 3 ) )
 		{
 			double jerk = ( h[3] - 3.0 * h[2] + 3.0 * h[1] - h[0] ) * m->rate * m->rate * m->rate;
 			squares += jerk * jerk;

@@ -72,7 +72,7 @@ static void soleMeasureSlide( soleMeasurement* m, int32_t leg )
 	for ( int32_t frame = m->def->skip; frame + 1 < m->frameCount; ++frame )
 	{
 		uint32_t label = soleGetLabel( m, frame, leg ) & soleGetLabel( m, frame + 1, leg );
-		if ( label == sole_labelNone || soleIsSmooth( m, frame, 1 ) == false )
+		if ( label == sole_labelNone || soleIsSmooth( m->def, frame, 1 ) == false )
 		{
 			continue;
 		}
