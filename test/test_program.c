@@ -520,6 +520,16 @@ static void measureAgreesWithBake( void** state )
 		json_object_put( measured );
 	}
 	json_object_put( bake );
+	static const char* const published[] = { "published.mann.step", "published.mann.speed", "published.mvae.step",
+		"published.skatingRatio", "published.kimodo.ratio", "published.kimodo.fromHeight",
+		"published.kimodo.fromContacts", "published.kimodo.maxSpeed", "published.physDiff.penetrate",
+		"published.physDiff.float", "published.physDiff.skate", "published.physDiff.error",
+		"published.footContactScore", "referencePublished.mann.step", NULL };
+	struct json_object* measured =
+	    testGoodJson( "measure written/c.glb --ground course --clip walk|sole --published --json" );
+	testHasAll( "measure --published", measured, published );
+	json_object_put( measured );
+	testDo( "measure written/c.glb --ground course --clip walk|sole --published" );
 	testDo( "measure written/c.glb --ground course --clip walk|sole --reference walk|none" );
 	testDo( "measure m.glb --ground flat --clip walk" ); // never baked: along flat ground
 }

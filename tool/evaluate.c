@@ -326,34 +326,72 @@ static soleTerrain* toolMakeFlat( const toolCharacter* character, const toolTake
 	return terrain;
 }
 
-bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
-    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+/// What it takes to measure a take and its reference.
+typedef struct toolMeasuring
 {
-	soleMotion reference = toolReferenceMotion( character, take );
-	soleMotion motion = reference;
-	motion.poses = take->poses;
-	motion.roots = take->roots;
+	soleMotion motion;
+	soleMotion reference;
+	soleTerrain* flat; // NULL: the reference is over the same terrain
+	soleMeasureDef def;
+	soleMeasureDef referenceDef;
+} toolMeasuring;
+
+static void toolStartMeasuring(
+    const toolCharacter* character, const toolTake* take, const soleTerrain* terrain, toolMeasuring* measuring )
+{
+	measuring->reference = toolReferenceMotion( character, take );
+	measuring->motion = measuring->reference;
+	measuring->motion.poses = take->poses;
+	measuring->motion.roots = take->roots;
+	measuring->flat = take->referenceOnGround ? NULL : toolMakeFlat( character, take );
 	soleMeasureDef def = soleDefaultMeasureDef();
-	def.motion = &motion;
-	def.reference = &reference;
 	def.labels = take->labels;
-	def.terrain = terrain;
 	def.points = character->points;
 	def.pointCount = character->pointCount;
 	def.skip = take->skip;
 	def.seams = take->seams;
+	def.motion = &measuring->reference;
+	def.terrain = take->referenceOnGround ? terrain : measuring->flat;
+	measuring->referenceDef = def;
+	def.motion = &measuring->motion;
+	def.reference = &measuring->reference;
+	def.terrain = terrain;
+	measuring->def = def;
+}
+
+static bool toolEndMeasuring(
+    const toolMeasuring* measuring, soleResult result, const soleMessage* message, toolError* error )
+{
+	soleDestroyTerrain( measuring->flat );
+	return result == sole_success || toolFail( error, "the motion cannot be measured: %s", message->text );
+}
+
+bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+{
+	toolMeasuring measuring;
 	soleMessage message = { { 0 } };
-	soleResult result = soleMeasureMotion( &def, NULL, figures, &message );
+	toolStartMeasuring( character, take, terrain, &measuring );
+	soleResult result = soleMeasureMotion( &measuring.def, NULL, figures, &message );
 	if ( result == sole_success && referenceFigures != NULL )
 	{
-		soleTerrain* flat = take->referenceOnGround ? NULL : toolMakeFlat( character, take );
-		def.motion = &reference;
-		def.reference = NULL;
-		def.terrain = take->referenceOnGround ? terrain : flat;
-		result = soleMeasureMotion( &def, NULL, referenceFigures, &message );
-		soleDestroyTerrain( flat );
+		result = soleMeasureMotion( &measuring.referenceDef, NULL, referenceFigures, &message );
 	}
-	return result == sole_success || toolFail( error, "the motion cannot be measured: %s", message.text );
+	return toolEndMeasuring( &measuring, result, &message, error );
+}
+
+bool toolMeasureTakePublished( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    solePublishedFigures* figures, solePublishedFigures* referenceFigures, toolError* error )
+{
+	toolMeasuring measuring;
+	soleMessage message = { { 0 } };
+	toolStartMeasuring( character, take, terrain, &measuring );
+	soleResult result = soleMeasurePublished( &measuring.def, NULL, figures, &message );
+	if ( result == sole_success )
+	{
+		result = soleMeasurePublished( &measuring.referenceDef, NULL, referenceFigures, &message );
+	}
+	return toolEndMeasuring( &measuring, result, &message, error );
 }
 
 bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,

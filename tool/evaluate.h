@@ -75,7 +75,11 @@ bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTak
 bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
     soleFigures* figures, soleFigures* referenceFigures, toolError* error );
 
-/// The same for what was just baked.
+/// The same with figures as others have published them.
+bool toolMeasureTakePublished( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    solePublishedFigures* figures, solePublishedFigures* referenceFigures, toolError* error );
+
+/// toolMeasureTake() for what was just baked.
 bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
     soleFigures* figures, soleFigures* referenceFigures, toolError* error );
 

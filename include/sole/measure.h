@@ -189,8 +189,8 @@ typedef struct solePublishedFigures
 	/// The last three added up.
 	double physError;
 	/// Physical foot contact score: mean over frames of the pelvis's acceleration, as a share of its largest, times the
-	/// least horizontal step of ankle and toe on the left, times that on the right, times 10^4; falling counts as no
-	/// acceleration. At 30 Hz, to which the motion is resampled, m^2. Not a number without legs on both sides. Tseng,
+	/// least horizontal step of ankle and toe on the left, times that on the right; falling counts as no acceleration.
+	/// 10^-4 m^2. At 30 Hz, to which the motion is resampled. Not a number without legs on both sides. Tseng,
 	/// Castellon, Liu, EDGE, CVPR 2023.
 	double footContactScore;
 } solePublishedFigures;
