@@ -30,8 +30,9 @@ static bool toolAllocTake(
 	*take = ( toolTake ){ .frameCount = frameCount, .frameRate = (float)fps };
 	if ( frameCount < 1 || frameCount > MOST_FRAMES || frameCount > MOST_TRANSFORMS / character->jointCount )
 	{
-		return toolFail( error, "%d frames of %d nodes cannot be held: take a shorter clip or a lower rate", frameCount,
+		toolFail( error, "%d frames of %d nodes cannot be held: take a shorter clip or a lower rate", frameCount,
 		    character->jointCount );
+		return false;
 	}
 	size_t frames = (size_t)frameCount;
 	size_t joints = (size_t)character->jointCount;
@@ -107,7 +108,7 @@ bool toolMakeTake( const toolCharacter* character, const toolTakeDef* def, toolT
 	memcpy( take->referencePoses, def->inputPoses, count * sizeof *take->poses );
 	for ( int32_t i = 0; i < def->frameCount; ++i )
 	{
-		take->roots[i] = def->roots != NULL ? def->roots[i] : soleTransform_Identity();
+		take->roots[i] = def->roots[i];
 		take->referenceRoots[i] = toolFlattenRoot( character, def->inputRoots[i], def->clipFloor );
 		take->seams[i] = def->seams != NULL && def->seams[i];
 	}

@@ -32,9 +32,9 @@ typedef struct toolTakeDef
 {
 	int32_t frameCount;
 	double frameRate;
-	float clipFloor;                 // of the input
-	const soleTransform* poses;      // as placed
-	const soleTransform* roots;      // NULL: the travel is in the poses
+	float clipFloor;            // of the input
+	const soleTransform* poses; // as placed
+	const soleTransform* roots;
 	const soleTransform* inputPoses; // the clip's own, in place
 	/// Where the clip was moved: its way along the floor and its heading are the reference's.
 	const soleTransform* inputRoots;

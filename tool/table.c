@@ -9,17 +9,17 @@
 // -------------------------------------------------------------------------------------------------------- targets
 
 static const toolTarget toolTargets[] = {
-	{ "penetrationP95", tool_rowPenetrationP95, 0.002, 0.0, false },
-	{ "penetrationMax", tool_rowPenetrationMax, 0.010, 0.0, false },
-	{ "hoverP95", tool_rowHoverP95, 0.005, 0.0, false },
-	{ "contactShare", tool_rowShare, 0.85, 0.0, true },
-	{ "slide", tool_rowSlide, 0.0, 1.1, false },
-	{ "driftMax", tool_rowDriftMax, 0.005, 1.1, false },
-	{ "kneeAccelerationRms", tool_rowKnee, 0.0, 1.3, false },
-	{ "pelvisJerk", tool_rowPelvisJerk, 0.0, 1.5, false },
-	{ "overExtended", tool_rowOverExtended, 0.0, 0.0, false },
-	{ "largestJump", tool_rowJump, 0.0, 1.5, false },
-	{ "rateMax", tool_rowRateMax, 0.003, 0.0, false },
+	{ "penetrationP95", 0.002, 0.0, tool_rowPenetrationP95, false },
+	{ "penetrationMax", 0.010, 0.0, tool_rowPenetrationMax, false },
+	{ "hoverP95", 0.005, 0.0, tool_rowHoverP95, false },
+	{ "contactShare", 0.85, 0.0, tool_rowShare, true },
+	{ "slide", 0.0, 1.1, tool_rowSlide, false },
+	{ "driftMax", 0.005, 1.1, tool_rowDriftMax, false },
+	{ "kneeAccelerationRms", 0.0, 1.3, tool_rowKnee, false },
+	{ "pelvisJerk", 0.0, 1.5, tool_rowPelvisJerk, false },
+	{ "overExtended", 0.0, 0.0, tool_rowOverExtended, false },
+	{ "largestJump", 0.0, 1.5, tool_rowJump, false },
+	{ "rateMax", 0.003, 0.0, tool_rowRateMax, false },
 };
 
 const toolTarget* toolGetTargets( int32_t* count )

@@ -54,9 +54,9 @@ double toolGetRowReference( const toolTableCell* cell, toolRowFigure figure );
 typedef struct toolTarget
 {
 	const char* name; // in JSON
-	toolRowFigure figure;
 	double limit;
 	double ofInput;
+	toolRowFigure figure;
 	bool atLeast;
 } toolTarget;
 

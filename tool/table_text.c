@@ -197,16 +197,16 @@ struct json_object* toolTableToJson( const soleRig* rig, const toolTable* table 
 	for ( int32_t i = 0; i < table->cellCount; ++i )
 	{
 		const toolTableCell* cell = table->cells + i;
-		struct json_object* object = toolFiguresToJson( rig, &cell->figures );
-		json_object_object_add( object, "clip", json_object_new_string( table->clip ) );
-		json_object_object_add( object, "ground", json_object_new_string( cell->ground ) );
-		json_object_object_add( object, "fps", json_object_new_int( cell->fps ) );
-		json_object_object_add( object, "method", json_object_new_string( cell->method->name ) );
-		json_object_object_add( object, "referenceFigures", toolFiguresToJson( rig, &cell->reference ) );
-		json_object_object_add( object, "ratios", toolRatiosToJson( &cell->figures, &cell->reference ) );
-		json_object_object_add( object, "rate", cell->isBase ? NULL : toolRateToJson( &cell->rate ) );
-		json_object_object_add( object, "targets", toolTargetsToJson( cell ) );
-		json_object_array_add( list, object );
+		struct json_object* row = toolFiguresToJson( rig, &cell->figures );
+		json_object_object_add( row, "clip", json_object_new_string( table->clip ) );
+		json_object_object_add( row, "ground", json_object_new_string( cell->ground ) );
+		json_object_object_add( row, "fps", json_object_new_int( cell->fps ) );
+		json_object_object_add( row, "method", json_object_new_string( cell->method->name ) );
+		json_object_object_add( row, "referenceFigures", toolFiguresToJson( rig, &cell->reference ) );
+		json_object_object_add( row, "ratios", toolRatiosToJson( &cell->figures, &cell->reference ) );
+		json_object_object_add( row, "rate", cell->isBase ? NULL : toolRateToJson( &cell->rate ) );
+		json_object_object_add( row, "targets", toolTargetsToJson( cell ) );
+		json_object_array_add( list, row );
 	}
 	return list;
 }
