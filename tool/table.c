@@ -13,7 +13,7 @@ static const toolTarget toolTargets[] = {
 	{ "penetrationMax", 0.010, 0.0, tool_rowPenetrationMax, false },
 	{ "hoverP95", 0.005, 0.0, tool_rowHoverP95, false },
 	{ "contactShare", 0.85, 0.0, tool_rowShare, true },
-	{ "slide", 0.0, 1.1, tool_rowSlide, false },
+	{ "slide", 0.001, 1.1, tool_rowSlide, false }, // of a clip that stands anything would be too much
 	{ "driftMax", 0.005, 1.1, tool_rowDriftMax, false },
 	{ "kneeAccelerationRms", 0.0, 1.3, tool_rowKnee, false },
 	{ "pelvisJerk", 0.0, 1.5, tool_rowPelvisJerk, false },
