@@ -75,23 +75,6 @@ static void aTakesReferenceWalksTheSameWayOnFlatGround( void** state )
 	soleDestroyRig( rig );
 }
 
-static void seamsOfALoopThatIsNotClosedAreKnown( void** state )
-{
-	(void)state;
-	toolBoundClip bound = { .duration = 1.0f };
-	toolTravel open = { .loops = true };
-	toolTravel closed = { .loops = true, .closed = true };
-	toolTravel once = { .loops = false };
-	assert_false( toolCrossesSeam( &bound, &open, 0.95, 0.99 ) );
-	assert_true( toolCrossesSeam( &bound, &open, 0.99, 1.0 ) );
-	assert_false( toolCrossesSeam( &bound, &open, 1.0, 1.01 ) );
-	assert_true( toolCrossesSeam( &bound, &open, 2.99, 3.01 ) );
-	assert_false( toolCrossesSeam( &bound, &closed, 2.99, 3.01 ) );
-	// The end of a clip that does not loop is its own.
-	assert_false( toolCrossesSeam( &bound, &once, 0.99, 1.0 ) );
-	assert_true( toolCrossesSeam( &bound, &once, 1.0, 1.01 ) );
-}
-
 static void aTakeThatIsNotFiniteIsRefusedInWords( void** state )
 {
 	(void)state;
@@ -162,7 +145,6 @@ int main( void )
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test( aTakesReferenceWalksTheSameWayOnFlatGround ),
-		cmocka_unit_test( seamsOfALoopThatIsNotClosedAreKnown ),
 		cmocka_unit_test( aTakeThatIsNotFiniteIsRefusedInWords ),
 		cmocka_unit_test( extrasOfABakedClipAreRead ),
 		cmocka_unit_test( extrasOfOthersAndHostileOnesAreNoBake ),
