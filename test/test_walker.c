@@ -377,7 +377,7 @@ static void testEndlessWalksAreRefused( void** state )
 	soleDestroyGround( t.ground );
 }
 
-static void seamsOfALoopThatIsNotClosedAreKnown( void** state )
+static void testSeamsOfALoopThatIsNotClosedAreKnown( void** state )
 {
 	(void)state;
 	toolBoundClip bound = { .duration = 1.0f };
@@ -409,7 +409,7 @@ int main( void )
 		cmocka_unit_test( testAStrideBackwardsFacesBackwards ),
 		cmocka_unit_test( testRootMotionMovesByItsOwnRoot ),
 		cmocka_unit_test( testEndlessWalksAreRefused ),
-		cmocka_unit_test( seamsOfALoopThatIsNotClosedAreKnown ),
+		cmocka_unit_test( testSeamsOfALoopThatIsNotClosedAreKnown ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );
 }
