@@ -54,7 +54,8 @@ static inline void rigStand( soleTransform* pose )
 	}
 }
 
-static inline soleRig* rigMake( void )
+/// @param second side of the second leg
+static inline soleRig* rigMakeSided( soleSide second )
 {
 	soleTransform bind[RIG_JOINTS];
 	rigStand( bind );
@@ -71,7 +72,7 @@ static inline soleRig* rigMake( void )
 		soleLegDef* l = def.legs + leg;
 		*l = soleDefaultLegDef();
 		l->name = leg == 0 ? "left" : "right";
-		l->side = leg == 0 ? sole_left : sole_right;
+		l->side = leg == 0 ? sole_left : second;
 		l->jointCount = 3;
 		l->joints[0] = 1 + 4 * leg;
 		l->joints[1] = 2 + 4 * leg;
@@ -93,6 +94,11 @@ static inline soleRig* rigMake( void )
 	}
 	assert_non_null( rig );
 	return rig;
+}
+
+static inline soleRig* rigMake( void )
+{
+	return rigMakeSided( sole_right );
 }
 
 /// Puts a foot so that its toe joint is moved by offset from where it stands and its heel is raised by an angle about
@@ -215,6 +221,22 @@ static inline soleTerrain* rigMakePlane( float height, float slope )
 	assert_int_equal( soleCreateTerrain( positions, 4, indices, 2, soleVec( 0.0f, 1.0f, 0.0f ), NULL, &terrain, NULL ),
 	    sole_success );
 	return terrain;
+}
+
+#define RIG_MAX_POINTS 1000
+
+/// What to measure a motion with its own labels by: all points of the soles.
+static inline soleMeasureDef rigMeasureDef( const rigMotion* m, const soleTerrain* terrain )
+{
+	static soleMeasurePoint points[RIG_MAX_POINTS];
+	soleMeasureDef def = soleDefaultMeasureDef();
+	def.motion = &m->motion;
+	def.labels = m->labels;
+	def.terrain = terrain;
+	def.points = points;
+	def.pointCount = soleMakeMeasurePoints( m->motion.rig, points, RIG_MAX_POINTS );
+	assert_true( def.pointCount <= RIG_MAX_POINTS );
+	return def;
 }
 
 /// Memory that fails from the n-th request on, and knows what is still held.

@@ -343,7 +343,12 @@ static void testAnInPlaceWalkStaysWhereItIs( void** state )
 	testOpen( "human-quaternius-ual/human-base-animations.glb", "Walk_Loop", &take );
 	assert_false( take.travel.rootMotion );
 	assert_true( take.travel.loops );
+	assert_true( take.travel.closed );
 	testCheckRootTimesPose( &take, 1e-5f );
+	testClose( &take );
+	testOpen( "human-quaternius-ual/human-base-animations.glb", "Jog_Fwd_Loop", &take );
+	assert_true( take.travel.loops );
+	assert_false( take.travel.closed );
 	testClose( &take );
 	testOpen( "human-quaternius-ual/human-base-animations.glb", "Death01", &take );
 	assert_false( take.travel.rootMotion );

@@ -3,26 +3,10 @@
 #include "measure_rig.h"
 
 #define PI 3.14159265358979323846
-#define MAX_POINTS 1000
-
-static soleMeasurePoint points[MAX_POINTS];
-
-static soleMeasureDef defOf( const rigMotion* m, const soleTerrain* terrain )
-{
-	soleMeasureDef def = soleDefaultMeasureDef();
-	def.motion = &m->motion;
-	def.labels = m->labels;
-	def.terrain = terrain;
-	def.points = points;
-	def.pointCount = soleMakeMeasurePoints( m->motion.rig, points, MAX_POINTS );
-	assert_true( def.pointCount <= MAX_POINTS );
-	return def;
-}
-
 static soleFigures measureOn( const rigMotion* m, const rigMotion* reference, float height, float slope )
 {
 	soleTerrain* terrain = rigMakePlane( height, slope );
-	soleMeasureDef def = defOf( m, terrain );
+	soleMeasureDef def = rigMeasureDef( m, terrain );
 	def.reference = reference != NULL ? &reference->motion : NULL;
 	soleFigures figures;
 	soleMessage message = { { 0 } };
@@ -44,8 +28,9 @@ static void pointsAreDenseAndCoverTheSole( void** state )
 {
 	(void)state;
 	soleRig* rig = rigMake();
+	soleMeasurePoint points[RIG_MAX_POINTS];
 	int32_t count = soleMakeMeasurePoints( rig, NULL, 0 );
-	assert_int_equal( soleMakeMeasurePoints( rig, points, MAX_POINTS ), count );
+	assert_int_equal( soleMakeMeasurePoints( rig, points, RIG_MAX_POINTS ), count );
 	soleTransform pose[RIG_JOINTS];
 	rigStand( pose );
 	float low = 1.0f;
@@ -283,6 +268,48 @@ static void driftAndClearanceAreOfEachStanceAndSwing( void** state )
 	soleDestroyRig( rig );
 }
 
+/// A foot that lifts at the first unlabelled frame, strikes at frame 40, and dips under the ground in one frame.
+static soleFigures measureDip( const soleRig* rig, float rate, int32_t lift, int32_t dip )
+{
+	rigMotion m = rigMakeMotion( rig, 60, rate );
+	for ( int32_t t = lift; t < 40; ++t )
+	{
+		rigPutFoot( rigPose( &m, t ), 0, soleVec( 0, t == dip ? -0.01f : 0.05f, 0 ), 0.0 );
+		m.labels[2 * t] = sole_labelNone;
+	}
+	soleFigures f = measure( &m );
+	rigFreeMotion( &m );
+	return f;
+}
+
+static void midSwingLastsFromFiftyMillisecondsAfterLiftToFiftyBeforeStrike( void** state )
+{
+	(void)state;
+	soleRig* rig = rigMake();
+	static const struct
+	{
+		float rate;
+		int32_t margin; // frames that are nearer than 50 ms to events half a frame before the labels change
+	} cases[] = { { 30.0f, 1 }, { 60.0f, 3 }, { 144.0f, 7 }, { 20.0f, 1 } };
+	for ( int32_t i = 0; i < 4; ++i )
+	{
+		int32_t margin = cases[i].margin;
+		assert_int_equal( measureDip( rig, cases[i].rate, 10, 10 + margin - 1 ).legs[0].scuffs, 0 );
+		assert_int_equal( measureDip( rig, cases[i].rate, 10, 10 + margin ).legs[0].scuffs, 1 );
+		assert_int_equal( measureDip( rig, cases[i].rate, 10, 39 - margin ).legs[0].scuffs, 1 );
+		assert_int_equal( measureDip( rig, cases[i].rate, 10, 40 - margin ).legs[0].scuffs, 0 );
+	}
+	soleFigures f = measureDip( rig, 60.0f, 10, 20 );
+	assert_int_equal( f.legs[0].swings, 1 );
+	assert_int_equal( f.legs[1].swings, 0 );
+	assert_int_equal( f.all.swings, 1 );
+	assert_int_equal( f.all.scuffs, 1 );
+	testNearD( f.all.clearance, -0.01, 1e-6 );
+	// A swing of 0.1 s has no middle.
+	assert_int_equal( measureDip( rig, 60.0f, 34, 36 ).all.swings, 0 );
+	soleDestroyRig( rig );
+}
+
 // ----------------------------------------------------------------------------------------------------------- legs
 
 static void kneeAccelerationIsThatOfASine( void** state )
@@ -379,6 +406,63 @@ static void deviationIsTheAngleToTheReference( void** state )
 	soleDestroyRig( rig );
 }
 
+static void pelvisOffsetIsAgainstTheReferencesOwnRoot( void** state )
+{
+	(void)state;
+	soleRig* rig = rigMake();
+	rigMotion m = rigMakeMotion( rig, 40, 60.0f );
+	rigMotion reference = rigMakeMotion( rig, 40, 60.0f );
+	for ( int32_t t = 0; t < 40; ++t )
+	{
+		// The motion is turned, up a hill and elsewhere; its pelvis is 3 cm lower, for ten frames 5 cm back besides.
+		m.roots[t].translation = soleVec( 3.0f, 0.1f * (float)t, -2.0f );
+		m.roots[t].rotation = ( soleQuat ){ 0.0f, 0.6f, 0.0f, 0.8f };
+		rigPose( &m, t )[0].translation.y -= t < 10 ? 0.0f : 0.03f;
+		rigPose( &m, t )[0].translation.z -= t >= 30 ? 0.04f : 0.0f;
+	}
+	soleFigures f = measureOn( &m, &reference, 0.0f, 0.0f );
+	testNearD( f.pelvisOffsetMax, 0.05, 1e-6 );
+	testNearD( f.pelvisOffsetRms, sqrt( 0.5 * 0.03 * 0.03 + 0.25 * 0.05 * 0.05 ), 1e-6 );
+	testNearD( measureOn( &m, NULL, 0.0f, 0.0f ).pelvisOffsetMax, 0.0, 0.0 );
+	rigFreeMotion( &m );
+	rigFreeMotion( &reference );
+	soleDestroyRig( rig );
+}
+
+static void differencesAcrossASeamCountForNothing( void** state )
+{
+	(void)state;
+	soleRig* rig = rigMake();
+	rigMotion m = rigMakeMotion( rig, 60, 60.0f );
+	bool seams[60] = { false };
+	for ( int32_t t = 30; t < 60; ++t )
+	{
+		// Everything is elsewhere at once, and then stands still again.
+		rigPutFoot( rigPose( &m, t ), 0, soleVec( 0, 0, 0.1f ), 0.0 );
+		rigPose( &m, t )[2].rotation = rigTurnX( 0.4 );
+		rigPose( &m, t )[6].rotation = rigTurnX( 0.4 );
+		m.roots[t].translation.y = 0.05f;
+	}
+	seams[30] = true;
+	soleTerrain* terrain = rigMakePlane( 0.0f, 0.0f );
+	soleMeasureDef def = rigMeasureDef( &m, terrain );
+	for ( int32_t i = 0; i < 2; ++i )
+	{
+		def.seams = i == 0 ? NULL : seams;
+		soleFigures f;
+		assert_int_equal( soleMeasureMotion( &def, NULL, &f, NULL ), sole_success );
+		const double found[] = { f.all.slide, f.all.largestJump, f.all.kneeAccelerationMax, f.pelvisJerk,
+			f.pelvisLargestStep };
+		for ( int32_t k = 0; k < 5; ++k )
+		{
+			assert_int_equal( found[k] > 1e-5, i == 0 );
+		}
+	}
+	soleDestroyTerrain( terrain );
+	rigFreeMotion( &m );
+	soleDestroyRig( rig );
+}
+
 static void skippedFramesCountForNothing( void** state )
 {
 	(void)state;
@@ -391,7 +475,7 @@ static void skippedFramesCountForNothing( void** state )
 		rigPose( &m, t )[6].rotation = rigTurnX( t % 2 == 0 ? 0.4 : 0.0 );
 	}
 	soleTerrain* terrain = rigMakePlane( 0.0f, 0.0f );
-	soleMeasureDef def = defOf( &m, terrain );
+	soleMeasureDef def = rigMeasureDef( &m, terrain );
 	def.skip = 30;
 	soleFigures f;
 	assert_int_equal( soleMeasureMotion( &def, NULL, &f, NULL ), sole_success );
@@ -435,7 +519,7 @@ static void figuresDoNotDependOnWhichWayIsUp( void** state )
 	uint32_t indices[] = { 0, 1, 2, 0, 2, 3 };
 	soleTerrain* terrain = NULL;
 	assert_int_equal( soleCreateTerrain( positions, 4, indices, 2, m.motion.up, NULL, &terrain, NULL ), sole_success );
-	soleMeasureDef def = defOf( &m, terrain );
+	soleMeasureDef def = rigMeasureDef( &m, terrain );
 	soleFigures b;
 	assert_int_equal( soleMeasureMotion( &def, NULL, &b, NULL ), sole_success );
 	testNearD( b.all.penetration.p95, a.all.penetration.p95, 1e-5 );
@@ -470,7 +554,7 @@ static void badDefinitionsAreRefusedByName( void** state )
 	rigMotion m = rigMakeMotion( rig, 10, 60.0f );
 	rigMotion shorter = rigMakeMotion( rig, 9, 60.0f );
 	soleTerrain* terrain = rigMakePlane( 0.0f, 0.0f );
-	const soleMeasureDef good = defOf( &m, terrain );
+	const soleMeasureDef good = rigMeasureDef( &m, terrain );
 	soleMeasureDef bad = good;
 	bad.internalValue = 0;
 	expectRefusal( &bad, "soleDefaultMeasureDef" );
@@ -496,9 +580,12 @@ static void badDefinitionsAreRefusedByName( void** state )
 	bad.motion = &motion;
 	motion.up = soleVec( 0, 0, 0 );
 	expectRefusal( &bad, "motion.up" );
+	soleMeasurePoint points[RIG_MAX_POINTS];
+	memcpy( points, good.points, (size_t)good.pointCount * sizeof *points );
 	points[5].joint = RIG_JOINTS;
-	expectRefusal( &good, "points[5]" );
-	points[5].joint = 4;
+	bad = good;
+	bad.points = points;
+	expectRefusal( &bad, "points[5]" );
 	rigPose( &m, 6 )[7].rotation.x = nanf( "" );
 	expectRefusal( &good, "frame 6" );
 	soleDestroyTerrain( terrain );
@@ -513,7 +600,7 @@ static void failingMemoryLeavesNothingBehind( void** state )
 	soleRig* rig = rigMake();
 	rigMotion m = rigMakeMotion( rig, 10, 60.0f );
 	soleTerrain* terrain = rigMakePlane( 0.0f, 0.0f );
-	soleMeasureDef def = defOf( &m, terrain );
+	soleMeasureDef def = rigMeasureDef( &m, terrain );
 	for ( int32_t n = 0;; ++n )
 	{
 		rigMemory memory = { .left = n };
@@ -547,10 +634,13 @@ int main( void )
 		cmocka_unit_test( rollingOverAPlantedToeIsNoSlide ),
 		cmocka_unit_test( sinkingAlongARampsNormalIsNoSlide ),
 		cmocka_unit_test( driftAndClearanceAreOfEachStanceAndSwing ),
+		cmocka_unit_test( midSwingLastsFromFiftyMillisecondsAfterLiftToFiftyBeforeStrike ),
 		cmocka_unit_test( kneeAccelerationIsThatOfASine ),
 		cmocka_unit_test( pelvisJerkIsThatOfASine ),
 		cmocka_unit_test( overExtensionCountsOnlyWhereTheReferenceIsBent ),
 		cmocka_unit_test( deviationIsTheAngleToTheReference ),
+		cmocka_unit_test( pelvisOffsetIsAgainstTheReferencesOwnRoot ),
+		cmocka_unit_test( differencesAcrossASeamCountForNothing ),
 		cmocka_unit_test( skippedFramesCountForNothing ),
 		cmocka_unit_test( figuresDoNotDependOnWhichWayIsUp ),
 		cmocka_unit_test( badDefinitionsAreRefusedByName ),

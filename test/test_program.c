@@ -485,6 +485,11 @@ static double testPenetration( struct json_object* figures )
 	return json_object_get_double( testGet( testGet( testGet( figures, "whole" ), "penetration" ), "p95" ) );
 }
 
+static double testPelvisOffset( struct json_object* figures )
+{
+	return json_object_get_double( testGet( testGet( figures, "whole" ), "pelvisOffsetMax" ) );
+}
+
 static void measureAgreesWithBake( void** state )
 {
 	(void)state;
@@ -504,6 +509,7 @@ static void measureAgreesWithBake( void** state )
 		testHasAll( "measure", measured, testFigurePaths );
 		testHas( "measure", measured, "reference" );
 		assert_float_equal( testPenetration( measured ), testPenetration( baked ), 1e-4 );
+		assert_float_equal( testPelvisOffset( measured ), testPelvisOffset( baked ), 1e-4 );
 		for ( size_t leg = 0; leg < 2; ++leg )
 		{
 			struct json_object* a = json_object_array_get_idx( testGet( measured, "legs" ), leg );
@@ -514,8 +520,64 @@ static void measureAgreesWithBake( void** state )
 		json_object_put( measured );
 	}
 	json_object_put( bake );
+	static const char* const published[] = { "published.mann.step", "published.mann.speed", "published.mvae.step",
+		"published.skatingRatio", "published.kimodo.ratio", "published.kimodo.fromHeight",
+		"published.kimodo.fromContacts", "published.kimodo.maxSpeed", "published.physDiff.penetrate",
+		"published.physDiff.float", "published.physDiff.skate", "published.physDiff.error",
+		"published.footContactScore", "referencePublished.mann.step", NULL };
+	struct json_object* measured =
+	    testGoodJson( "measure written/c.glb --ground course --clip walk|sole --published --json" );
+	testHasAll( "measure --published", measured, published );
+	json_object_put( measured );
+	testDo( "measure written/c.glb --ground course --clip walk|sole --published" );
 	testDo( "measure written/c.glb --ground course --clip walk|sole --reference walk|none" );
 	testDo( "measure m.glb --ground flat --clip walk" ); // never baked: along flat ground
+}
+
+static void aTableHasARowForEachGroundMethodAndRate( void** state )
+{
+	(void)state;
+	struct json_object* rows =
+	    testGoodJson( "measure mannequin --table --ground flat,T02 --fps 60,30 --method none,sole --json" );
+	assert_int_equal( json_object_array_length( rows ), 8 );
+	for ( size_t i = 0; i < 8; ++i )
+	{
+		struct json_object* row = json_object_array_get_idx( rows, i );
+		assert_string_equal( json_object_get_string( testGet( row, "ground" ) ), i < 4 ? "flat" : "T02" );
+		assert_string_equal( json_object_get_string( testGet( row, "method" ) ), i / 2 % 2 == 0 ? "none" : "sole" );
+		assert_int_equal( json_object_get_int( testGet( row, "fps" ) ), i % 2 == 0 ? 60 : 30 );
+		testHasAll( "table", row, testFigurePaths );
+		// The distance to 60 Hz is a figure of other rates alone.
+		struct json_object* targets = testGet( row, "targets" );
+		assert_int_equal( json_object_object_length( targets ), i % 2 == 0 ? 10 : 11 );
+		assert_int_equal( json_object_object_get_ex( targets, "rateMax", NULL ), i % 2 == 1 );
+	}
+	// An untouched walk on stairs is under them, on the flat it is not.
+	struct json_object* stairs = testGet( json_object_array_get_idx( rows, 4 ), "targets" );
+	struct json_object* flat = testGet( json_object_array_get_idx( rows, 0 ), "targets" );
+	assert_false( json_object_get_boolean( testGet( stairs, "penetrationMax" ) ) );
+	assert_true( json_object_get_boolean( testGet( flat, "penetrationMax" ) ) );
+	json_object_put( rows );
+	testWriteText( "square.obj", "v -5 0 -5\nv -5 0 5\nv 5 0 5\nv 5 0 -5\nf 1 2 3 4\n" );
+	testDo( "measure mannequin --table --ground square.obj --start 0,0 --heading 90 --distance 2 --fps 60 --clip run" );
+}
+
+/// What is baked by hand measures as in the table.
+static void aTableAgreesWithBake( void** state )
+{
+	(void)state;
+	struct json_object* rows = testGoodJson( "measure mannequin --table --ground T11-20 --fps 60 --json" );
+	struct json_object* bake = testGoodJson( "bake mannequin --ground T11-20 -o written/t.glb --json" );
+	struct json_object* row = json_object_array_get_idx( rows, 0 );
+	struct json_object* baked = json_object_array_get_idx( testGet( bake, "clips" ), 0 );
+	assert_string_equal( json_object_to_json_string( testGet( row, "whole" ) ),
+	    json_object_to_json_string( testGet( baked, "whole" ) ) );
+	json_object_put( bake );
+	json_object_put( rows );
+	testRun run = testGood( "measure mannequin --table --ground T11-20 --fps 60" );
+	assert_non_null( strstr( run.out, "T11-20    60  sole" ) );
+	assert_non_null( strstr( run.out, "targets hold" ) );
+	testEnd( &run );
 }
 
 // Every item of a list of the input is the same item of the output's list.
@@ -698,6 +760,15 @@ static const testBad testBads[] = {
 	{ "measure o.glb --clip walk|sole", 2, NULL, "--ground" },
 	{ "measure --ground flat --clip walk", 2, NULL, NULL },
 	{ "measure o.glb --ground flat --clip walk --scale nan", 2, NULL, "--scale" },
+	{ "measure --table", 2, NULL, "character" },
+	{ "measure o.glb --table --fps 59.94", 2, NULL, "--fps" },
+	{ "measure o.glb --table --fps 0", 2, NULL, "--fps" },
+	{ "measure o.glb --table --fps ,", 2, NULL, "empty" },
+	{ "measure o.glb --table --method magic", 2, NULL, "--method" },
+	{ "measure o.glb --table --scale 0", 2, NULL, "--scale" },
+	{ "measure o.glb --table --reference walk", 2, NULL, "option" },
+	{ "measure o.glb --table --path 0,0,0", 2, NULL, "--path" },
+	{ "measure o.glb --table --path 0,0;1,1 --heading 3", 2, NULL, "exclude" },
 	{ "label", 2, NULL, NULL },
 	{ "label m.glb --scale 0", 2, NULL, "--scale" },
 	{ "settings more", 2, NULL, NULL },
@@ -713,6 +784,10 @@ static const testBad testBads[] = {
 	{ "bake o.glb --clip walk" ON_FLAT, 1, "o.glb", "walk|sole" },
 	{ "label m.glb --clip moonwalk", 1, "m.glb", "moonwalk" },
 	{ "measure o.glb --ground flat --clip moonwalk", 1, "o.glb", "moonwalk" },
+	{ "measure o.glb --table --clip moonwalk", 1, "o.glb", "moonwalk" },
+	{ "measure o.glb --table --ground flat,gone", 1, "gone", NULL },
+	{ "measure o.glb --table --clips gone.glb", 1, "gone.glb", NULL },
+	{ "measure o.glb --table --settings gone.json", 1, "gone.json", NULL },
 	{ "measure o.glb --ground flat --clip walk|sole --reference moonwalk", 1, "o.glb", "moonwalk" },
 	{ "measure o.glb --ground flat --clip walk|sole --reference idle", 1, "o.glb", "idle" },
 	{ "measure o.glb --ground gone --clip walk|sole", 1, "gone", NULL },
@@ -866,6 +941,8 @@ int main( void )
 		cmocka_unit_test( everySampleIsWritten ),
 		cmocka_unit_test( inspectSaysWhatItPromises ),
 		cmocka_unit_test( measureAgreesWithBake ),
+		cmocka_unit_test( aTableHasARowForEachGroundMethodAndRate ),
+		cmocka_unit_test( aTableAgreesWithBake ),
 		cmocka_unit_test( bakeKeepsTheFile ),
 		cmocka_unit_test( bakeWritesGltf ),
 		cmocka_unit_test( clipsOfASecondFileAreBaked ),

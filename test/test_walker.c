@@ -377,6 +377,23 @@ static void testEndlessWalksAreRefused( void** state )
 	soleDestroyGround( t.ground );
 }
 
+static void testSeamsOfALoopThatIsNotClosedAreKnown( void** state )
+{
+	(void)state;
+	toolBoundClip bound = { .duration = 1.0f };
+	toolTravel open = { .loops = true };
+	toolTravel closed = { .loops = true, .closed = true };
+	toolTravel once = { .loops = false };
+	assert_false( toolCrossesSeam( &bound, &open, 0.95, 0.99 ) );
+	assert_true( toolCrossesSeam( &bound, &open, 0.99, 1.0 ) );
+	assert_false( toolCrossesSeam( &bound, &open, 1.0, 1.01 ) );
+	assert_true( toolCrossesSeam( &bound, &open, 2.99, 3.01 ) );
+	assert_false( toolCrossesSeam( &bound, &closed, 2.99, 3.01 ) );
+	// The end of a clip that does not loop is its own.
+	assert_false( toolCrossesSeam( &bound, &once, 0.99, 1.0 ) );
+	assert_true( toolCrossesSeam( &bound, &once, 1.0, 1.01 ) );
+}
+
 int main( void )
 {
 	const struct CMUnitTest tests[] = {
@@ -392,6 +409,7 @@ int main( void )
 		cmocka_unit_test( testAStrideBackwardsFacesBackwards ),
 		cmocka_unit_test( testRootMotionMovesByItsOwnRoot ),
 		cmocka_unit_test( testEndlessWalksAreRefused ),
+		cmocka_unit_test( testSeamsOfALoopThatIsNotClosedAreKnown ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );
 }

@@ -125,9 +125,9 @@ static void toolPrintTakes( const toolBakeJob* job, const toolBakedTake* takes )
 	toolFigureColumn* columns = toolAlloc( (size_t)count + 1, sizeof *columns );
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		columns[i] = ( toolFigureColumn ){ takes[i].method, &takes[i].figures, &takes[i].reference };
+		columns[i] = ( toolFigureColumn ){ takes[i].method, &takes[i].figures, &takes[i].reference, NULL };
 	}
-	columns[count] = ( toolFigureColumn ){ "reference", &takes[0].reference, NULL };
+	columns[count] = ( toolFigureColumn ){ "reference", &takes[0].reference, NULL, NULL };
 	puts( "" );
 	toolPrintFigures( stdout, job->character.rig, columns, count + 1 );
 	puts( "" );

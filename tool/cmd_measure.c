@@ -30,6 +30,7 @@ static const char* const toolMeasureHelp =
     "                    default: the clip on flat ground\n"
     "  --clips FILE      where the clip that was baked is, if in another file\n"
     "  --scale S         what the character's file units are multiplied with; default: that of the bake, else 1\n"
+    "  --published       figures as others have published them as well, to be put beside theirs\n"
     "  --json            SI units: m, s, rad; see 'legs', 'whole' and 'ratios'\n";
 
 typedef struct toolMeasureOptions
@@ -40,6 +41,7 @@ typedef struct toolMeasureOptions
 	const char* reference;
 	const char* clips;
 	double scale; // 0: not given
+	bool published;
 	bool json;
 } toolMeasureOptions;
 
@@ -54,6 +56,9 @@ typedef struct toolMeasureRun
 	toolGroundSource ground;
 	soleTerrain* terrain;
 	char method[64];
+	// Of the clip and of its reference.
+	soleFigures figures[2];
+	solePublishedFigures published[2];
 } toolMeasureRun;
 
 static void toolFreeMeasureRun( toolMeasureRun* run )
@@ -179,23 +184,37 @@ static bool toolPrepareMeasure( const toolMeasureOptions* options, toolMeasureRu
 	    toolMakeTerrain( &run->ground, &run->terrain, error );
 }
 
-static void toolPrintMeasure( const toolMeasureOptions* options, const toolMeasureRun* run, const soleFigures* figures,
-    const soleFigures* reference )
+static bool toolMeasureRunTake( const toolMeasureOptions* options, toolMeasureRun* run, toolError* error )
+{
+	bool good = toolMeasureTake( &run->character, &run->take, run->terrain, run->figures, run->figures + 1, error ) &&
+	    ( options->published == false ||
+	        toolMeasureTakePublished(
+	            &run->character, &run->take, run->terrain, run->published, run->published + 1, error ) );
+	return good || toolFailIn( error, options->file );
+}
+
+static void toolPrintMeasure( const toolMeasureOptions* options, const toolMeasureRun* run )
+{
+	const toolTake* take = &run->take;
+	bool other = options->reference != NULL;
+	printf( "%s over %s: %d frames at %g fps, %d at the start left out\nreference: %s%s\n\n", options->clip,
+	    options->ground, take->frameCount, (double)take->frameRate, take->skip,
+	    other ? options->reference : run->bound.clip->name, other ? "" : " on flat ground" );
+	toolFigureColumn columns[2] = {
+		{ run->method[0] != 0 ? run->method : "clip", run->figures, run->figures + 1, NULL },
+		{ "reference", run->figures + 1, NULL, NULL },
+	};
+	for ( int32_t i = 0; i < 2 && options->published; ++i )
+	{
+		columns[i].published = run->published + i;
+	}
+	toolPrintFigures( stdout, run->character.rig, columns, 2 );
+}
+
+static void toolPrintMeasureJson( const toolMeasureOptions* options, const toolMeasureRun* run )
 {
 	const toolTake* take = &run->take;
 	const char* against = options->reference != NULL ? options->reference : run->bound.clip->name;
-	const char* where = options->reference != NULL ? "" : " on flat ground";
-	if ( options->json == false )
-	{
-		printf( "%s over %s: %d frames at %g fps, %d at the start left out\nreference: %s%s\n\n", options->clip,
-		    options->ground, take->frameCount, (double)take->frameRate, take->skip, against, where );
-		toolFigureColumn columns[2] = {
-			{ run->method[0] != 0 ? run->method : "clip", figures, reference },
-			{ "reference", reference, NULL },
-		};
-		toolPrintFigures( stdout, run->character.rig, columns, 2 );
-		return;
-	}
 	struct json_object* object = json_object_new_object();
 	json_object_object_add( object, "clip", json_object_new_string( options->clip ) );
 	json_object_object_add( object, "method", json_object_new_string( run->method ) );
@@ -206,14 +225,19 @@ static void toolPrintMeasure( const toolMeasureOptions* options, const toolMeasu
 	json_object_object_add( object, "frames", json_object_new_int( take->frameCount ) );
 	json_object_object_add( object, "skip", json_object_new_int( take->skip ) );
 	// What comes first in a file should say what it is about.
-	struct json_object* measured = toolFiguresToJson( run->character.rig, figures );
+	struct json_object* measured = toolFiguresToJson( run->character.rig, run->figures );
 	json_object_object_foreach( measured, key, value )
 	{
 		json_object_object_add( object, key, json_object_get( value ) );
 	}
 	json_object_put( measured );
-	json_object_object_add( object, "referenceFigures", toolFiguresToJson( run->character.rig, reference ) );
-	json_object_object_add( object, "ratios", toolRatiosToJson( figures, reference ) );
+	json_object_object_add( object, "referenceFigures", toolFiguresToJson( run->character.rig, run->figures + 1 ) );
+	json_object_object_add( object, "ratios", toolRatiosToJson( run->figures, run->figures + 1 ) );
+	if ( options->published )
+	{
+		json_object_object_add( object, "published", toolPublishedToJson( run->published ) );
+		json_object_object_add( object, "referencePublished", toolPublishedToJson( run->published + 1 ) );
+	}
 	puts( json_object_to_json_string_ext( object, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_SPACED ) );
 	json_object_put( object );
 }
@@ -224,7 +248,8 @@ static int toolReadMeasureOptions( int argc, char** argv, toolMeasureOptions* op
 	static const struct option names[] = { { "ground", required_argument, NULL, 'g' },
 		{ "clip", required_argument, NULL, 'c' }, { "reference", required_argument, NULL, 'r' },
 		{ "clips", required_argument, NULL, 'C' }, { "scale", required_argument, NULL, 's' },
-		{ "json", no_argument, NULL, 'j' }, { "help", no_argument, NULL, 'h' }, { NULL, 0, NULL, 0 } };
+		{ "published", no_argument, NULL, 'p' }, { "json", no_argument, NULL, 'j' }, { "help", no_argument, NULL, 'h' },
+		{ NULL, 0, NULL, 0 } };
 	opterr = 0;
 	for ( int c = getopt_long( argc, argv, "h", names, NULL ); c != -1;
 	      c = getopt_long( argc, argv, "h", names, NULL ) )
@@ -248,6 +273,9 @@ static int toolReadMeasureOptions( int argc, char** argv, toolMeasureOptions* op
 			{
 				return toolReportUsage( "measure", "--scale needs a number above zero" );
 			}
+			break;
+		case 'p':
+			options->published = true;
 			break;
 		case 'j':
 			options->json = true;
@@ -301,17 +329,18 @@ int toolRunMeasure( int argc, char** argv )
 	{
 		return status;
 	}
-	toolMeasureRun run = { 0 };
+	toolMeasureRun* run = toolAlloc( 1, sizeof *run );
 	toolError error = { { 0 } };
-	soleFigures* figures = toolAlloc( 2, sizeof *figures );
-	bool good = toolPrepareMeasure( &options, &run, &error ) &&
-	    ( toolMeasureTake( &run.character, &run.take, run.terrain, figures, figures + 1, &error ) ||
-	        toolFailIn( &error, options.file ) );
-	if ( good )
+	bool good = toolPrepareMeasure( &options, run, &error ) && toolMeasureRunTake( &options, run, &error );
+	if ( good && options.json )
 	{
-		toolPrintMeasure( &options, &run, figures, figures + 1 );
+		toolPrintMeasureJson( &options, run );
 	}
-	free( figures );
-	toolFreeMeasureRun( &run );
+	else if ( good )
+	{
+		toolPrintMeasure( &options, run );
+	}
+	toolFreeMeasureRun( run );
+	free( run );
 	return good ? tool_done : toolReportFailure( &error );
 }

@@ -135,7 +135,7 @@ static const char* toolCompleteTableOptions( int argc, char** argv, toolTableOpt
 {
 	if ( optind + 1 != argc )
 	{
-		return "--table needs one character";
+		return "give one character";
 	}
 	options->character = argv[optind];
 	const char* wrong = toolCheckWayOptions( &options->way );
@@ -271,8 +271,7 @@ static void toolTellTable( const toolTableOptions* options, const toolTableRun* 
 		json_object_put( list );
 		return;
 	}
-	const char* clip = run->bound.clip->name;
-	printf( "%s: %s, half a second at the start left out\n\n", options->character, clip );
+	printf( "%s: %s, half a second at the start left out\n\n", options->character, run->table.clip );
 	toolPrintTable( stdout, &run->table );
 }
 

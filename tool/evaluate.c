@@ -30,8 +30,9 @@ static bool toolAllocTake(
 	*take = ( toolTake ){ .frameCount = frameCount, .frameRate = (float)fps };
 	if ( frameCount < 1 || frameCount > MOST_FRAMES || frameCount > MOST_TRANSFORMS / character->jointCount )
 	{
-		return toolFail( error, "%d frames of %d nodes cannot be held: take a shorter clip or a lower rate", frameCount,
+		toolFail( error, "%d frames of %d nodes cannot be held: take a shorter clip or a lower rate", frameCount,
 		    character->jointCount );
+		return false;
 	}
 	size_t frames = (size_t)frameCount;
 	size_t joints = (size_t)character->jointCount;
@@ -40,6 +41,7 @@ static bool toolAllocTake(
 	take->roots = toolAlloc( frames, sizeof *take->roots );
 	take->referencePoses = toolAlloc( frames * joints, sizeof *take->referencePoses );
 	take->referenceRoots = toolAlloc( frames, sizeof *take->referenceRoots );
+	take->seams = toolAlloc( frames, sizeof *take->seams );
 	take->labels = toolAlloc( frames * (size_t)soleRig_GetLegCount( character->rig ), 1 );
 	return true;
 }
@@ -51,6 +53,7 @@ void toolFreeTake( toolTake* take )
 	free( take->referencePoses );
 	free( take->referenceRoots );
 	free( take->labels );
+	free( take->seams );
 	*take = ( toolTake ){ 0 };
 }
 
@@ -105,8 +108,9 @@ bool toolMakeTake( const toolCharacter* character, const toolTakeDef* def, toolT
 	memcpy( take->referencePoses, def->inputPoses, count * sizeof *take->poses );
 	for ( int32_t i = 0; i < def->frameCount; ++i )
 	{
-		take->roots[i] = def->roots != NULL ? def->roots[i] : soleTransform_Identity();
+		take->roots[i] = def->roots[i];
 		take->referenceRoots[i] = toolFlattenRoot( character, def->inputRoots[i], def->clipFloor );
+		take->seams[i] = def->seams != NULL && def->seams[i];
 	}
 	if ( toolLabelTake( character, def->clipFloor, take, error ) == false )
 	{
@@ -146,6 +150,7 @@ bool toolMakeClipTake( const toolCharacter* character, const toolBoundClip* boun
 		root.translation = soleRotate( upright, root.translation );
 		root.rotation = soleMulQuat( upright, root.rotation );
 		take->referenceRoots[i] = toolFlattenRoot( character, root, travel->clipFloor );
+		take->seams[i] = toolCrossesSeam( bound, travel, (double)( i - 1 ) / fps, time );
 	}
 	memcpy( take->poses, take->referencePoses, (size_t)count * joints * sizeof *take->poses );
 	memcpy( take->roots, take->referenceRoots, (size_t)count * sizeof *take->roots );
@@ -253,12 +258,17 @@ bool toolRebuildTake( const toolCharacter* character, int32_t bakedClip, const t
 	for ( int32_t i = 0; i < info->frameCount; ++i )
 	{
 		soleTransform own; // what it does to the root is in the baked travel
-		soleTransform* pose = take->referencePoses + (size_t)i * joints;
-		toolSampleLooped( character, base, &travel, (double)i / info->fps * info->rate, pose, &own );
-		soleTransform from = toolPoseWorld( character, pose, info->travel );
-		soleTransform to = toolPoseWorld( character, take->poses + (size_t)i * joints, info->travel );
-		take->roots[i] = soleTransform_Identity();
-		take->referenceRoots[i] = toolFlattenRoot( character, toolFindMove( from, to ), travel.clipFloor );
+		double time = (double)i / info->fps * info->rate;
+		soleTransform* input = take->referencePoses + (size_t)i * joints;
+		soleTransform* pose = take->poses + (size_t)i * joints;
+		toolSampleLooped( character, base, &travel, time, input, &own );
+		soleTransform from = toolPoseWorld( character, input, info->travel );
+		soleTransform to = toolPoseWorld( character, pose, info->travel );
+		// The travel goes back from the pose to the root, as far as it can be told from what a method did to its node.
+		take->roots[i] = toolFindMove( from, to );
+		toolMovePose( character, pose, info->travel, toolFindMove( to, from ) );
+		take->referenceRoots[i] = toolFlattenRoot( character, take->roots[i], travel.clipFloor );
+		take->seams[i] = toolCrossesSeam( base, &travel, time - info->rate / info->fps, time );
 	}
 	if ( toolLabelTake( character, travel.clipFloor, take, error ) == false )
 	{
@@ -273,7 +283,7 @@ bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTak
 	const toolClip* reference = character->model->clips + clip;
 	toolBakeInfo info;
 	bool alike = toolReadBakeInfo( reference, &info ) && info.frameCount == take->frameCount &&
-	    fabs( info.fps - (double)take->frameRate ) < 1e-3;
+	    info.travel < character->jointCount && fabs( info.fps - (double)take->frameRate ) < 1e-3;
 	if ( alike == false )
 	{
 		return toolFail( error, "clip '%s' is no bake of %d frames at %g fps: bake both in one run", reference->name,
@@ -285,7 +295,9 @@ bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTak
 	}
 	for ( int32_t i = 0; i < take->frameCount; ++i )
 	{
-		take->referenceRoots[i] = soleTransform_Identity();
+		soleTransform* pose = take->referencePoses + (size_t)i * (size_t)character->jointCount;
+		toolMovePose( character, pose, info.travel, toolFindMove( take->roots[i], soleTransform_Identity() ) );
+		take->referenceRoots[i] = take->roots[i];
 	}
 	take->referenceOnGround = true;
 	return true;
@@ -315,33 +327,72 @@ static soleTerrain* toolMakeFlat( const toolCharacter* character, const toolTake
 	return terrain;
 }
 
-bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
-    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+/// What it takes to measure a take and its reference.
+typedef struct toolMeasuring
 {
-	soleMotion reference = toolReferenceMotion( character, take );
-	soleMotion motion = reference;
-	motion.poses = take->poses;
-	motion.roots = take->roots;
+	soleMotion motion;
+	soleMotion reference;
+	soleTerrain* flat; // NULL: the reference is over the same terrain
+	soleMeasureDef def;
+	soleMeasureDef referenceDef;
+} toolMeasuring;
+
+static void toolStartMeasuring(
+    const toolCharacter* character, const toolTake* take, const soleTerrain* terrain, toolMeasuring* measuring )
+{
+	measuring->reference = toolReferenceMotion( character, take );
+	measuring->motion = measuring->reference;
+	measuring->motion.poses = take->poses;
+	measuring->motion.roots = take->roots;
+	measuring->flat = take->referenceOnGround ? NULL : toolMakeFlat( character, take );
 	soleMeasureDef def = soleDefaultMeasureDef();
-	def.motion = &motion;
-	def.reference = &reference;
 	def.labels = take->labels;
-	def.terrain = terrain;
 	def.points = character->points;
 	def.pointCount = character->pointCount;
 	def.skip = take->skip;
+	def.seams = take->seams;
+	def.motion = &measuring->reference;
+	def.terrain = take->referenceOnGround ? terrain : measuring->flat;
+	measuring->referenceDef = def;
+	def.motion = &measuring->motion;
+	def.reference = &measuring->reference;
+	def.terrain = terrain;
+	measuring->def = def;
+}
+
+static bool toolEndMeasuring(
+    const toolMeasuring* measuring, soleResult result, const soleMessage* message, toolError* error )
+{
+	soleDestroyTerrain( measuring->flat );
+	return result == sole_success || toolFail( error, "the motion cannot be measured: %s", message->text );
+}
+
+bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+{
+	toolMeasuring measuring;
 	soleMessage message = { { 0 } };
-	soleResult result = soleMeasureMotion( &def, NULL, figures, &message );
+	toolStartMeasuring( character, take, terrain, &measuring );
+	soleResult result = soleMeasureMotion( &measuring.def, NULL, figures, &message );
 	if ( result == sole_success && referenceFigures != NULL )
 	{
-		soleTerrain* flat = take->referenceOnGround ? NULL : toolMakeFlat( character, take );
-		def.motion = &reference;
-		def.reference = NULL;
-		def.terrain = take->referenceOnGround ? terrain : flat;
-		result = soleMeasureMotion( &def, NULL, referenceFigures, &message );
-		soleDestroyTerrain( flat );
+		result = soleMeasureMotion( &measuring.referenceDef, NULL, referenceFigures, &message );
 	}
-	return result == sole_success || toolFail( error, "the motion cannot be measured: %s", message.text );
+	return toolEndMeasuring( &measuring, result, &message, error );
+}
+
+bool toolMeasureTakePublished( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    solePublishedFigures* figures, solePublishedFigures* referenceFigures, toolError* error )
+{
+	toolMeasuring measuring;
+	soleMessage message = { { 0 } };
+	toolStartMeasuring( character, take, terrain, &measuring );
+	soleResult result = soleMeasurePublished( &measuring.def, NULL, figures, &message );
+	if ( result == sole_success )
+	{
+		result = soleMeasurePublished( &measuring.referenceDef, NULL, referenceFigures, &message );
+	}
+	return toolEndMeasuring( &measuring, result, &message, error );
 }
 
 bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
@@ -355,6 +406,7 @@ bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* resu
 		.roots = result->walk.roots,
 		.inputPoses = result->input,
 		.inputRoots = result->walk.roots,
+		.seams = result->walk.seams,
 	};
 	toolTake take;
 	if ( toolMakeTake( character, &def, &take, error ) == false )

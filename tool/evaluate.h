@@ -24,6 +24,7 @@ typedef struct toolTake
 	/// The reference goes over the same ground as the take: it was given by the user.
 	bool referenceOnGround;
 	uint8_t* labels; // frameCount * legCount, soleContactLabel each
+	bool* seams;     // frameCount, as in soleMeasureDef
 } toolTake;
 
 /// What a take is made from. All arrays are copied.
@@ -31,12 +32,13 @@ typedef struct toolTakeDef
 {
 	int32_t frameCount;
 	double frameRate;
-	float clipFloor;                 // of the input
-	const soleTransform* poses;      // as placed
-	const soleTransform* roots;      // NULL: the travel is in the poses
+	float clipFloor;            // of the input
+	const soleTransform* poses; // as placed
+	const soleTransform* roots;
 	const soleTransform* inputPoses; // the clip's own, in place
 	/// Where the clip was moved: its way along the floor and its heading are the reference's.
 	const soleTransform* inputRoots;
+	const bool* seams; // NULL: none
 } toolTakeDef;
 
 /// Fails where memory for labels does, or where a pose is not usable.
@@ -73,7 +75,11 @@ bool toolReplaceReference( const toolCharacter* character, int32_t clip, toolTak
 bool toolMeasureTake( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
     soleFigures* figures, soleFigures* referenceFigures, toolError* error );
 
-/// The same for what was just baked.
+/// The same with figures as others have published them.
+bool toolMeasureTakePublished( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
+    solePublishedFigures* figures, solePublishedFigures* referenceFigures, toolError* error );
+
+/// toolMeasureTake() for what was just baked.
 bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
     soleFigures* figures, soleFigures* referenceFigures, toolError* error );
 

@@ -58,6 +58,8 @@ static const toolFigure toolLegFigures[] = {
 	LEG( "drift", "max", "drift per stance, max", "mm", 1e3, 2, drift.max ),
 	LEG_COUNT( "stances", "stances", "", stances ),
 	LEG_COUNT( "overExtended", "over-extended", "frames", overExtended ),
+	LEG_COUNT( "swings", "swings", "", swings ),
+	LEG_COUNT( "scuffs", "under the ground in swing", "", scuffs ),
 	LEG( NULL, "clearance", "clearance in swing, p5", "mm", 1e3, 1, clearance ),
 	LEG( NULL, "kneeAccelerationRms", "knee acceleration, RMS", "deg/s2", 180.0 / PI, 0, kneeAccelerationRms ),
 	LEG( NULL, "kneeAccelerationMax", "knee acceleration, max", "deg/s2", 180.0 / PI, 0, kneeAccelerationMax ),
@@ -68,6 +70,8 @@ static const toolFigure toolBodyFigures[] = {
 	BODY( "pelvisJerk", "pelvis jerk, RMS", "m/s3", 1.0, 1, pelvisJerk ),
 	BODY( "pelvisLargestStep", "pelvis, largest step", "mm", 1e3, 2, pelvisLargestStep ),
 	BODY( "deviation", "deviation from reference", "deg", 180.0 / PI, 2, deviation ),
+	BODY( "pelvisOffsetRms", "pelvis offset, RMS", "mm", 1e3, 2, pelvisOffsetRms ),
+	BODY( "pelvisOffsetMax", "pelvis offset, max", "mm", 1e3, 2, pelvisOffsetMax ),
 };
 
 /// Offsets in soleFigures.
@@ -79,9 +83,32 @@ static const toolFigure toolRatios[] = {
 	BODY( "largestJump", "largest joint step", "x", 1.0, 2, all.largestJump ),
 };
 
+#define PUBLISHED( group, name, text, unit, factor, decimals, member )                                                 \
+	{                                                                                                                  \
+		group, name, text, unit, factor, decimals, tool_figureDouble, offsetof( solePublishedFigures, member )         \
+	}
+
+static const toolFigure toolPublishedFigures[] = {
+	PUBLISHED( "mann", "step", "MANN s", "cm", 1e2, 3, mannStep ),
+	PUBLISHED( "mann", "speed", "MANN s a second", "cm/s", 1e2, 2, mannSpeed ),
+	PUBLISHED( "mvae", "step", "MVAE s", "cm", 1e2, 3, mvaeStep ),
+	PUBLISHED( "mvae", "speed", "MVAE s a second", "cm/s", 1e2, 2, mvaeSpeed ),
+	PUBLISHED( NULL, "skatingRatio", "GMD skating ratio", "", 1.0, 4, skatingRatio ),
+	PUBLISHED( "kimodo", "ratio", "kimodo skate ratio", "", 1.0, 4, kimodoRatio ),
+	PUBLISHED( "kimodo", "fromHeight", "kimodo, from height", "cm/s", 1e2, 2, kimodoHeightSpeed ),
+	PUBLISHED( "kimodo", "fromContacts", "kimodo, from contacts", "cm/s", 1e2, 2, kimodoContactSpeed ),
+	PUBLISHED( "kimodo", "maxSpeed", "kimodo, largest speed", "cm/s", 1e2, 2, kimodoContactMax ),
+	PUBLISHED( "physDiff", "penetrate", "PhysDiff penetrate", "mm", 1e3, 3, physPenetration ),
+	PUBLISHED( "physDiff", "float", "PhysDiff float", "mm", 1e3, 3, physFloat ),
+	PUBLISHED( "physDiff", "skate", "PhysDiff skate", "mm", 1e3, 3, physSkate ),
+	PUBLISHED( "physDiff", "error", "Phys-Err", "mm", 1e3, 3, physError ),
+	PUBLISHED( NULL, "footContactScore", "EDGE PFC", "cm2", 1.0, 4, footContactScore ),
+};
+
 #undef LEG
 #undef LEG_COUNT
 #undef BODY
+#undef PUBLISHED
 
 #define COUNT_OF( table ) ( (int32_t)( sizeof( table ) / sizeof( table )[0] ) )
 
@@ -139,12 +166,39 @@ static const char* toolLegName( const soleRig* rig, int32_t leg )
 	return name != NULL && name[0] != 0 ? name : "leg";
 }
 
-/// @param leg SOLE_NONE: all legs
-static void toolPrintLegRows( FILE* stream, int32_t leg, const toolFigureColumn* columns, int32_t columnCount )
+/// What the rows of a table are taken from.
+typedef enum toolRowSource
 {
-	for ( int32_t row = 0; row < COUNT_OF( toolLegFigures ); ++row )
+	tool_rowsOfLegs,
+	tool_rowsOfBody,
+	tool_rowsOfRatios,
+	tool_rowsOfPublished
+} toolRowSource;
+
+/// In the unit that is printed; not a number where a column has none.
+static double toolGetCell( const toolFigureColumn* column, toolRowSource source, int32_t leg, const toolFigure* figure )
+{
+	const soleFigures* figures = column->figures;
+	switch ( source )
 	{
-		const toolFigure* figure = toolLegFigures + row;
+	case tool_rowsOfLegs:
+		return figure->factor * toolGetFigure( figure, leg == SOLE_NONE ? &figures->all : figures->legs + leg );
+	case tool_rowsOfBody:
+		return figure->factor * toolGetFigure( figure, figures );
+	case tool_rowsOfRatios:
+		return toolGetRatio( figure, figures, column->reference );
+	default:
+		return column->published != NULL ? figure->factor * toolGetFigure( figure, column->published ) : (double)NAN;
+	}
+}
+
+/// @param leg of rows of legs; SOLE_NONE: all of them
+static void toolPrintRows( FILE* stream, toolRowSource source, int32_t leg, const toolFigure* table, int32_t count,
+    const toolFigureColumn* columns, int32_t columnCount )
+{
+	for ( int32_t row = 0; row < count; ++row )
+	{
+		const toolFigure* figure = table + row;
 		if ( figure->text == NULL )
 		{
 			continue;
@@ -152,51 +206,7 @@ static void toolPrintLegRows( FILE* stream, int32_t leg, const toolFigureColumn*
 		fprintf( stream, "  %-25s%-6s", figure->text, figure->unit );
 		for ( int32_t i = 0; i < columnCount; ++i )
 		{
-			const soleFigures* figures = columns[i].figures;
-			const soleLegFigures* legFigures = leg == SOLE_NONE ? &figures->all : figures->legs + leg;
-			double value = figure->factor * toolGetFigure( figure, legFigures );
-			toolPrintCell( stream, columns + i, value, figure->decimals );
-		}
-		fputc( '\n', stream );
-	}
-}
-
-static void toolPrintBodyRows( FILE* stream, const toolFigureColumn* columns, int32_t columnCount )
-{
-	for ( int32_t row = 0; row < COUNT_OF( toolBodyFigures ); ++row )
-	{
-		const toolFigure* figure = toolBodyFigures + row;
-		fprintf( stream, "  %-25s%-6s", figure->text, figure->unit );
-		for ( int32_t i = 0; i < columnCount; ++i )
-		{
-			double value = figure->factor * toolGetFigure( figure, columns[i].figures );
-			toolPrintCell( stream, columns + i, value, figure->decimals );
-		}
-		fputc( '\n', stream );
-	}
-}
-
-static void toolPrintRatios( FILE* stream, const toolFigureColumn* columns, int32_t columnCount )
-{
-	bool any = false;
-	for ( int32_t i = 0; i < columnCount; ++i )
-	{
-		any = any || columns[i].reference != NULL;
-	}
-	if ( any == false )
-	{
-		return;
-	}
-	fputc( '\n', stream );
-	toolPrintHead( stream, "ratios to the reference", columns, columnCount );
-	for ( int32_t row = 0; row < COUNT_OF( toolRatios ); ++row )
-	{
-		const toolFigure* figure = toolRatios + row;
-		fprintf( stream, "  %-25s%-6s", figure->text, figure->unit );
-		for ( int32_t i = 0; i < columnCount; ++i )
-		{
-			toolPrintCell( stream, columns + i, toolGetRatio( figure, columns[i].figures, columns[i].reference ),
-			    figure->decimals );
+			toolPrintCell( stream, columns + i, toolGetCell( columns + i, source, leg, figure ), figure->decimals );
 		}
 		fputc( '\n', stream );
 	}
@@ -204,16 +214,37 @@ static void toolPrintRatios( FILE* stream, const toolFigureColumn* columns, int3
 
 void toolPrintFigures( FILE* stream, const soleRig* rig, const toolFigureColumn* columns, int32_t columnCount )
 {
+	const int32_t legRows = COUNT_OF( toolLegFigures );
+	bool ratios = false;
+	bool published = false;
+	for ( int32_t i = 0; i < columnCount; ++i )
+	{
+		ratios = ratios || columns[i].reference != NULL;
+		published = published || columns[i].published != NULL;
+	}
 	toolPrintHead( stream, "whole", columns, columnCount );
-	toolPrintLegRows( stream, SOLE_NONE, columns, columnCount );
-	toolPrintBodyRows( stream, columns, columnCount );
+	toolPrintRows( stream, tool_rowsOfLegs, SOLE_NONE, toolLegFigures, legRows, columns, columnCount );
+	toolPrintRows(
+	    stream, tool_rowsOfBody, SOLE_NONE, toolBodyFigures, COUNT_OF( toolBodyFigures ), columns, columnCount );
 	for ( int32_t leg = 0; leg < soleRig_GetLegCount( rig ); ++leg )
 	{
 		fputc( '\n', stream );
 		toolPrintHead( stream, toolLegName( rig, leg ), columns, columnCount );
-		toolPrintLegRows( stream, leg, columns, columnCount );
+		toolPrintRows( stream, tool_rowsOfLegs, leg, toolLegFigures, legRows, columns, columnCount );
 	}
-	toolPrintRatios( stream, columns, columnCount );
+	if ( ratios )
+	{
+		fputc( '\n', stream );
+		toolPrintHead( stream, "ratios to the reference", columns, columnCount );
+		toolPrintRows( stream, tool_rowsOfRatios, SOLE_NONE, toolRatios, COUNT_OF( toolRatios ), columns, columnCount );
+	}
+	if ( published )
+	{
+		fputc( '\n', stream );
+		toolPrintHead( stream, "as published", columns, columnCount );
+		toolPrintRows( stream, tool_rowsOfPublished, SOLE_NONE, toolPublishedFigures, COUNT_OF( toolPublishedFigures ),
+		    columns, columnCount );
+	}
 }
 
 // ----------------------------------------------------------------------------------------------------------- json
@@ -270,5 +301,12 @@ struct json_object* toolRatiosToJson( const soleFigures* figures, const soleFigu
 		double ratio = toolGetRatio( toolRatios + row, figures, reference );
 		json_object_object_add( object, toolRatios[row].name, toolNumberToJson( ratio, tool_figureDouble ) );
 	}
+	return object;
+}
+
+struct json_object* toolPublishedToJson( const solePublishedFigures* figures )
+{
+	struct json_object* object = json_object_new_object();
+	toolAddFigures( object, toolPublishedFigures, COUNT_OF( toolPublishedFigures ), figures );
 	return object;
 }

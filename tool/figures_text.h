@@ -16,9 +16,12 @@ typedef struct toolFigureColumn
 	const soleFigures* figures;
 	/// What ratios are taken to, or NULL: none are printed.
 	const soleFigures* reference;
+	/// NULL in all columns: none are printed.
+	const solePublishedFigures* published;
 } toolFigureColumn;
 
-/// A table: a row a figure with its unit, a column a motion; the whole first, then every leg, then the ratios.
+/// A table: a row a figure with its unit, a column a motion; the whole first, then every leg, then the ratios, then
+/// published figures.
 void toolPrintFigures( FILE* stream, const soleRig* rig, const toolFigureColumn* columns, int32_t columnCount );
 
 /// { "legs": [ ... ], "whole": { ... } }, SI units.
@@ -26,5 +29,8 @@ struct json_object* toolFiguresToJson( const soleRig* rig, const soleFigures* fi
 /// { "slide", "drift", "kneeAccelerationRms", "pelvisJerk", "largestJump" }: a figure over the reference's, null where
 /// that has none.
 struct json_object* toolRatiosToJson( const soleFigures* figures, const soleFigures* reference );
+
+/// { "mann": { "step", "speed" }, "mvae", "skatingRatio", "kimodo", "physDiff", "footContactScore" }, SI units.
+struct json_object* toolPublishedToJson( const solePublishedFigures* figures );
 
 #endif

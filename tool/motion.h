@@ -87,6 +87,7 @@ typedef struct toolTravel
 {
 	bool rootMotion; // the character moves by itself
 	bool loops;      // the last pose goes over into the first
+	bool closed;     // exactly so
 	bool turns;      // root motion turns as well as travels
 	toolTravelKind kind;
 	int32_t node;   // the one that carries the travel: all feet hang from it

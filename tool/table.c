@@ -9,17 +9,17 @@
 // -------------------------------------------------------------------------------------------------------- targets
 
 static const toolTarget toolTargets[] = {
-	{ "penetrationP95", tool_rowPenetrationP95, 0.002, 0.0, false },
-	{ "penetrationMax", tool_rowPenetrationMax, 0.010, 0.0, false },
-	{ "hoverP95", tool_rowHoverP95, 0.005, 0.0, false },
-	{ "contactShare", tool_rowShare, 0.85, 0.0, true },
-	{ "slide", tool_rowSlide, 0.0, 1.1, false },
-	{ "driftMax", tool_rowDriftMax, 0.005, 1.1, false },
-	{ "kneeAccelerationRms", tool_rowKnee, 0.0, 1.3, false },
-	{ "pelvisJerk", tool_rowPelvisJerk, 0.0, 1.5, false },
-	{ "overExtended", tool_rowOverExtended, 0.0, 0.0, false },
-	{ "largestJump", tool_rowJump, 0.0, 1.5, false },
-	{ "rateMax", tool_rowRateMax, 0.003, 0.0, false },
+	{ "penetrationP95", 0.002, 0.0, tool_rowPenetrationP95, false },
+	{ "penetrationMax", 0.010, 0.0, tool_rowPenetrationMax, false },
+	{ "hoverP95", 0.005, 0.0, tool_rowHoverP95, false },
+	{ "contactShare", 0.85, 0.0, tool_rowShare, true },
+	{ "slide", 0.001, 1.1, tool_rowSlide, false }, // of a clip that stands anything would be too much
+	{ "driftMax", 0.005, 1.1, tool_rowDriftMax, false },
+	{ "kneeAccelerationRms", 0.0, 1.3, tool_rowKnee, false },
+	{ "pelvisJerk", 0.0, 1.5, tool_rowPelvisJerk, false },
+	{ "overExtended", 0.0, 0.0, tool_rowOverExtended, false },
+	{ "largestJump", 0.0, 1.5, tool_rowJump, false },
+	{ "rateMax", 0.003, 0.0, tool_rowRateMax, false },
 };
 
 const toolTarget* toolGetTargets( int32_t* count )
@@ -79,22 +79,24 @@ double toolGetRowReference( const toolTableCell* cell, toolRowFigure figure )
 	return toolPickFigure( &cell->reference, figure );
 }
 
-toolVerdict toolJudge( const toolTarget* target, const toolTableCell* cell )
+double toolGetExcess( const toolTarget* target, const toolTableCell* cell )
 {
+	// Without contacts figures over contacts are empty, not good.
+	if ( cell->figures.all.labelledFrames == 0 )
+	{
+		return (double)NAN;
+	}
 	double figure = toolGetRowFigure( cell, target->figure );
 	double limit = target->limit;
 	if ( target->ofInput > 0.0 )
 	{
 		limit = fmax( limit, target->ofInput * toolGetRowReference( cell, target->figure ) );
 	}
-	// Without contacts figures over contacts are empty, not good.
-	bool empty = cell->figures.all.labelledFrames == 0;
-	if ( isnan( figure ) || empty )
+	if ( limit <= 0.0 )
 	{
-		return tool_targetIdle;
+		return 1.0 + figure;
 	}
-	bool holds = target->atLeast ? figure >= limit : figure <= limit;
-	return holds ? tool_targetHolds : tool_targetMissed;
+	return target->atLeast ? limit / figure : figure / limit;
 }
 
 // ----------------------------------------------------------------------------------------------------------- make
@@ -213,7 +215,7 @@ static bool toolMakeCells( const toolTableDef* def, const toolTableGround* groun
 bool toolMakeTable( const toolTableDef* def, toolTable* table, toolError* error )
 {
 	int32_t total = def->groundCount * def->methodCount * def->rateCount;
-	*table = ( toolTable ){ .cells = toolAlloc( (size_t)total, sizeof *table->cells ) };
+	*table = ( toolTable ){ .clip = def->bound->clip->name, .cells = toolAlloc( (size_t)total, sizeof *table->cells ) };
 	bool good = true;
 	for ( int32_t g = 0; g < def->groundCount && good; ++g )
 	{

@@ -54,22 +54,17 @@ double toolGetRowReference( const toolTableCell* cell, toolRowFigure figure );
 typedef struct toolTarget
 {
 	const char* name; // in JSON
-	toolRowFigure figure;
 	double limit;
 	double ofInput;
+	toolRowFigure figure;
 	bool atLeast;
 } toolTarget;
 
 const toolTarget* toolGetTargets( int32_t* count );
 
-typedef enum toolVerdict
-{
-	tool_targetHolds,
-	tool_targetMissed,
-	tool_targetIdle // says nothing of this cell
-} toolVerdict;
-
-toolVerdict toolJudge( const toolTarget* target, const toolTableCell* cell );
+/// How many times its limit a figure is, or how many times below it where it must be at least that: up to 1 the target
+/// holds. Against a limit of 0 one more than the figure. Not a number where the target says nothing of the cell.
+double toolGetExcess( const toolTarget* target, const toolTableCell* cell );
 
 // ----------------------------------------------------------------------------------------------------------- make
 
@@ -94,6 +89,7 @@ typedef struct toolTableDef
 
 typedef struct toolTable
 {
+	const char* clip;
 	toolTableCell* cells; // ground, method, rate
 	int32_t cellCount;
 } toolTable;
@@ -105,7 +101,7 @@ void toolFreeTable( toolTable* table );
 
 /// A row a cell. Figures that miss their target have a '!' behind them; the last line counts.
 void toolPrintTable( FILE* stream, const toolTable* table );
-/// [ { "ground", "fps", "method", "legs", "whole", "referenceFigures", "ratios", "rate", "targets" } ]
+/// [ { "clip", "ground", "fps", "method", "legs", "whole", "referenceFigures", "ratios", "rate", "targets" } ]
 struct json_object* toolTableToJson( const soleRig* rig, const toolTable* table );
 
 #endif

@@ -68,7 +68,7 @@ static bool toolMisses( const toolColumn* column, const toolTableCell* cell )
 	const toolTarget* targets = toolGetTargets( &count );
 	for ( int32_t i = 0; i < count && column->kind != tool_columnInput; ++i )
 	{
-		if ( targets[i].figure == column->figure && toolJudge( targets + i, cell ) == tool_targetMissed )
+		if ( targets[i].figure == column->figure && toolGetExcess( targets + i, cell ) > 1.0 )
 		{
 			return true;
 		}
@@ -127,9 +127,9 @@ static void toolPrintCounts( FILE* stream, const toolTable* table, const toolMet
 	{
 		for ( int32_t k = 0; k < count && table->cells[i].method == method; ++k )
 		{
-			toolVerdict verdict = toolJudge( targets + k, table->cells + i );
-			counts[0] += verdict == tool_targetHolds;
-			counts[1] += verdict == tool_targetMissed;
+			double excess = toolGetExcess( targets + k, table->cells + i );
+			counts[0] += excess <= 1.0;
+			counts[1] += excess > 1.0;
 		}
 	}
 	fprintf( stream, "%s: %d targets hold, %d are missed\n", method->name, counts[0], counts[1] );
@@ -173,10 +173,10 @@ static struct json_object* toolTargetsToJson( const toolTableCell* cell )
 	const toolTarget* targets = toolGetTargets( &count );
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		toolVerdict verdict = toolJudge( targets + i, cell );
-		if ( verdict != tool_targetIdle )
+		double excess = toolGetExcess( targets + i, cell );
+		if ( isnan( excess ) == 0 )
 		{
-			json_object_object_add( object, targets[i].name, json_object_new_boolean( verdict == tool_targetHolds ) );
+			json_object_object_add( object, targets[i].name, json_object_new_boolean( excess <= 1.0 ) );
 		}
 	}
 	return object;
@@ -197,15 +197,16 @@ struct json_object* toolTableToJson( const soleRig* rig, const toolTable* table 
 	for ( int32_t i = 0; i < table->cellCount; ++i )
 	{
 		const toolTableCell* cell = table->cells + i;
-		struct json_object* object = toolFiguresToJson( rig, &cell->figures );
-		json_object_object_add( object, "ground", json_object_new_string( cell->ground ) );
-		json_object_object_add( object, "fps", json_object_new_int( cell->fps ) );
-		json_object_object_add( object, "method", json_object_new_string( cell->method->name ) );
-		json_object_object_add( object, "referenceFigures", toolFiguresToJson( rig, &cell->reference ) );
-		json_object_object_add( object, "ratios", toolRatiosToJson( &cell->figures, &cell->reference ) );
-		json_object_object_add( object, "rate", cell->isBase ? NULL : toolRateToJson( &cell->rate ) );
-		json_object_object_add( object, "targets", toolTargetsToJson( cell ) );
-		json_object_array_add( list, object );
+		struct json_object* row = toolFiguresToJson( rig, &cell->figures );
+		json_object_object_add( row, "clip", json_object_new_string( table->clip ) );
+		json_object_object_add( row, "ground", json_object_new_string( cell->ground ) );
+		json_object_object_add( row, "fps", json_object_new_int( cell->fps ) );
+		json_object_object_add( row, "method", json_object_new_string( cell->method->name ) );
+		json_object_object_add( row, "referenceFigures", toolFiguresToJson( rig, &cell->reference ) );
+		json_object_object_add( row, "ratios", toolRatiosToJson( &cell->figures, &cell->reference ) );
+		json_object_object_add( row, "rate", cell->isBase ? NULL : toolRateToJson( &cell->rate ) );
+		json_object_object_add( row, "targets", toolTargetsToJson( cell ) );
+		json_object_array_add( list, row );
 	}
 	return list;
 }

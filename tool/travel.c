@@ -18,7 +18,8 @@
 #define SMOOTH_SAMPLES 32
 #define MOTION_TRANSFORMS 4000000 // most that are sampled to find stride and floor
 #define LEAST_TURN ( 10.0 * PI / 180.0 )
-#define LOOP_TOLERANCE 0.12 // of leg length: further than this from start to end is no loop
+#define LOOP_TOLERANCE 0.12   // of leg length: further than this from start to end is no loop
+#define CLOSED_TOLERANCE 1e-5 // of leg length: what is nearer is rounding, even in a third difference
 
 typedef struct toolComplex
 {
@@ -261,12 +262,12 @@ static double toolComparePoses(
 
 // Is the pose at the end that of the start, moved along the floor? It may be one frame before it, for many loops are
 // written without the frame that repeats the first.
-static bool toolDoesLoop(
-    const toolCharacter* character, const toolBoundClip* bound, double frameRate, double legLength )
+static void toolFindLoop(
+    const toolCharacter* character, const toolBoundClip* bound, double legLength, toolTravel* travel )
 {
 	toolTracker tracker = toolMakeTracker( character, bound, character->rigDef.pelvis, true );
 	double duration = (double)bound->duration;
-	double frame = fmin( 1.0 / frameRate, duration );
+	double frame = fmin( 1.0 / (double)travel->frameRate, duration );
 	size_t joints = (size_t)character->jointCount;
 	soleTransform* poses = toolAlloc( 3 * joints, sizeof *poses );
 	toolSampleClip( character, bound, 0.0f, poses );
@@ -278,7 +279,8 @@ static bool toolDoesLoop(
 	double apart = toolComparePoses( character, poses, motion, poses + 2 * joints );
 	double step = toolComparePoses( character, poses + joints, soleTransform_Identity(), poses + 2 * joints );
 	free( poses );
-	return apart <= fmax( LOOP_TOLERANCE * legLength, 1.5 * step );
+	travel->loops = apart <= fmax( LOOP_TOLERANCE * legLength, 1.5 * step );
+	travel->closed = apart <= CLOSED_TOLERANCE * legLength;
 }
 
 static bool toolIsAncestor( const toolCharacter* character, int32_t ancestor, int32_t node )
@@ -424,9 +426,9 @@ toolTravel toolFindTravel( const toolCharacter* character, const toolBoundClip* 
 	toolTravel travel = { .node = character->travel, .source = SOLE_NONE, .loop = soleTransform_Identity() };
 	double legLength = toolLegLength( character );
 	travel.frameRate = toolFindFrameRate( bound );
-	travel.loops = bound->duration > 0.0f && toolDoesLoop( character, bound, (double)travel.frameRate, legLength );
 	if ( bound->duration > 0.0f )
 	{
+		toolFindLoop( character, bound, legLength, &travel );
 		toolFindRootMotion( character, bound, legLength, &travel );
 	}
 	if ( travel.rootMotion == false )

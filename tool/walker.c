@@ -47,6 +47,12 @@ typedef struct toolWalker
 	soleQuat upright; // character space to Y up, forward along +Z
 } toolWalker;
 
+bool toolCrossesSeam( const toolBoundClip* bound, const toolTravel* travel, double before, double after )
+{
+	return travel->closed == false &&
+	    toolFindRound( bound, travel, after ).rounds > toolFindRound( bound, travel, before ).rounds;
+}
+
 toolWalkDef toolDefaultWalkDef( void )
 {
 	return ( toolWalkDef ){ .groundName = "ground", .fps = 60.0 };
@@ -366,6 +372,8 @@ static bool toolRunWalk( const toolWalker* walker, toolWalkState state, toolWalk
 		double rounds = round > 0.0 ? ceil( walk->clipTimes[i] / round - 1e-6 ) : 0.0;
 		walk->jumps[i] = i > 0 && def->travel->loops == false && rounds > fmax( lastRounds, 1.0 );
 		lastRounds = rounds;
+		walk->seams[i] =
+		    i > 0 && toolCrossesSeam( def->bound, def->travel, walk->clipTimes[i - 1], walk->clipTimes[i] );
 	}
 	return true;
 }
@@ -404,6 +412,7 @@ bool toolMakeWalk( const toolWalkDef* def, toolWalk* walk, toolError* error )
 		walk->roots = toolAlloc( (size_t)walk->frameCount, sizeof *walk->roots );
 		walk->clipTimes = toolAlloc( (size_t)walk->frameCount, sizeof *walk->clipTimes );
 		walk->jumps = toolAlloc( (size_t)walk->frameCount, sizeof *walk->jumps );
+		walk->seams = toolAlloc( (size_t)walk->frameCount, sizeof *walk->seams );
 		toolWalkState state = { .height = start.y };
 		toolPlaceAt( &walker, 0.0, &state.facing );
 		good = toolRunWalk( &walker, state, walk, error );
@@ -427,5 +436,6 @@ void toolFreeWalk( toolWalk* walk )
 	free( walk->roots );
 	free( walk->clipTimes );
 	free( walk->jumps );
+	free( walk->seams );
 	*walk = ( toolWalk ){ 0 };
 }

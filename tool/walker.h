@@ -48,9 +48,13 @@ typedef struct toolWalk
 	soleTransform* roots; // character space to world
 	double* clipTimes;    // s since the clip's start, growing over its rounds
 	bool* jumps;          // a clip that does not loop starts again here
+	bool* seams;          // so does one that loops, and its last pose is not quite its first
 } toolWalk;
 
 toolWalkDef toolDefaultWalkDef( void );
+
+/// Does a clip start again between two of its times, from another pose than it ends with?
+bool toolCrossesSeam( const toolBoundClip* bound, const toolTravel* travel, double before, double after );
 
 /// Does a clip stand, or do something on the spot? One that does not loop is no gait unless its feet clearly say so.
 bool toolIsStanding( const toolTravel* travel );

@@ -118,7 +118,9 @@ typedef struct soleLegFigures
 	soleStat drift;               // m per stance: mean and max (p95 over stances)
 	int32_t stances;
 	int32_t overExtended;       // frames
-	double clearance;           // m, least sole height in mid swing, 5th percentile
+	int32_t swings;             // between two stances, long enough to have a middle
+	int32_t scuffs;             // swings in whose middle a sole point is under the ground
+	double clearance;           // m, least height of the sole in mid swing, 5th percentile over swings
 	double kneeAccelerationRms; // rad/s^2
 	double kneeAccelerationMax;
 	double largestJump; // rad, largest change of a joint's local rotation in a frame
@@ -133,6 +135,8 @@ typedef struct soleFigures
 	double pelvisJerk;        // m/s^3, RMS of the third difference of pelvis height
 	double pelvisLargestStep; // m, largest change of pelvis height in a frame
 	double deviation;         // rad, RMS angle to the reference's local rotations over leg joints; 0 without one
+	double pelvisOffsetRms;   // m, between the pelvises of motion and reference, each seen from its own root
+	double pelvisOffsetMax;
 } soleFigures;
 
 typedef struct soleMeasureDef
@@ -147,12 +151,60 @@ typedef struct soleMeasureDef
 	int32_t pointCount;
 	/// Frames left out at the start. default 0
 	int32_t skip;
+	/// frameCount: true where the motion does not go on from the frame before, as after the seam of a loop that is not
+	/// closed. Differences across such a seam count for nothing. NULL: there is none.
+	const bool* seams;
 	int32_t internalValue;
 } soleMeasureDef;
 
 SOLE_API soleMeasureDef soleDefaultMeasureDef( void );
 SOLE_API soleResult soleMeasureMotion(
     const soleMeasureDef* def, const soleAllocator* allocator, soleFigures* figures, soleMessage* message );
+
+/// Figures as others have published them, to be put beside theirs. Definitions differ from those above and among each
+/// other: heights are over the ground below the point, a foot's toe is its ball point, which moves as the toe joint
+/// does but lies on the ground when the toes do; frames before skip and steps across seams are left out. What counts by
+/// height speaks more of its threshold than of the motion, and figures a frame more of the frame rate; compare them on
+/// one set of motions at one rate only. SI units.
+typedef struct solePublishedFigures
+{
+	/// Horizontal step of the toes, weighted with 2 - 2^(h / H): 1 on the ground, 0 from H = 2.5 cm on; h is the larger
+	/// height of the two frames. Mean over feet and frames. Zhang, Starke, Komura, Saito, ACM TOG 37(4), 2018.
+	double mannStep;  // m a frame
+	double mannSpeed; // m/s, the same times the rate
+	/// The same with H = 3.3 cm. Ling, Zinno, Cheng, van de Panne, ACM TOG 39(4), 2020.
+	double mvaeStep;
+	double mvaeSpeed;
+	/// Foot skating ratio: share of frames in which a toe is lower than 5 cm now and next, and moves horizontally at
+	/// more than 0.5 m/s both in this step and on average over five steps around. At 20 Hz, to which the motion is
+	/// resampled. Karunratanakul et al., GMD, ICCV 2023.
+	double skatingRatio;
+	/// Of the toes that are lower than 5 cm now and next, frame by frame, the share that moves at more than 0.2 m/s.
+	/// nv-tlabs/kimodo, as are the next three.
+	double kimodoRatio;
+	/// Mean speed of toes that are lower than 5 cm. m/s
+	double kimodoHeightSpeed;
+	/// Speed of heels and toes that are labelled. m/s
+	double kimodoContactSpeed;
+	double kimodoContactMax;
+	/// How much more than 5 mm the lowest sole point is under the ground, and above it. Means over frames, m. Yuan et
+	/// al., PhysDiff, ICCV 2023, as are the next two.
+	double physPenetration;
+	double physFloat;
+	/// Horizontal step of the lowest sole point where it is not higher than 5 mm now and next, else 0. Mean, m a frame.
+	double physSkate;
+	/// The last three added up.
+	double physError;
+	/// Physical foot contact score: mean over frames of the pelvis's acceleration, as a share of its largest, times the
+	/// least horizontal step of ankle and toe on the left, times that on the right; falling counts as no acceleration.
+	/// 10^-4 m^2. At 30 Hz, to which the motion is resampled. Not a number without legs on both sides. Tseng,
+	/// Castellon, Liu, EDGE, CVPR 2023.
+	double footContactScore;
+} solePublishedFigures;
+
+/// @param def as for soleMeasureMotion(); the reference is not used
+SOLE_API soleResult soleMeasurePublished(
+    const soleMeasureDef* def, const soleAllocator* allocator, solePublishedFigures* figures, soleMessage* message );
 
 /// How far two samplings of one run at different rates are apart: distances of the same ankle and ball, m, over all
 /// legs and the times that both have. Whole rates have the times of their greatest common divisor in common: 1/30 s for

@@ -49,7 +49,7 @@ static soleResult soleCheckPoints( const soleMeasureDef* def, soleMessage* messa
 	return sole_success;
 }
 
-static soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* message )
+soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* message )
 {
 	if ( def == NULL || def->internalValue != SOLE_COOKIE )
 	{
@@ -85,6 +85,12 @@ static soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* m
 	return soleCheckPoints( def, message );
 }
 
+double soleFindReach( const soleMotion* motion, int32_t leg )
+{
+	double scale = fabs( (double)motion->roots[0].scale.x );
+	return REACH * scale * (double)soleRig_GetLegLength( motion->rig, leg );
+}
+
 // --------------------------------------------------------------------------------------------------------- memory
 
 static size_t soleLegFrameCount( const soleMeasurement* m )
@@ -98,6 +104,7 @@ static void soleFreeMeasurement( soleMeasurement* m )
 	soleFreeMeasurePose( m->allocator, &m->pose );
 	soleFree( m->allocator, m->frames, legFrames * sizeof *m->frames );
 	soleFree( m->allocator, m->pelvis, (size_t)m->frameCount * sizeof *m->pelvis );
+	soleFree( m->allocator, m->offsets, (size_t)m->frameCount * sizeof *m->offsets );
 	soleFree( m->allocator, m->stretched, legFrames * sizeof *m->stretched );
 	soleFree( m->allocator, m->samples, sole_sampleKindCount * legFrames * sizeof *m->samples );
 	soleFree( m->allocator, m->pooled, legFrames * sizeof *m->pooled );
@@ -109,11 +116,12 @@ static bool soleMakeMeasurement( soleMeasurement* m )
 	bool made = soleMakeMeasurePose( m->rig, m->allocator, &m->pose );
 	m->frames = soleAlloc( m->allocator, legFrames * sizeof *m->frames );
 	m->pelvis = soleAlloc( m->allocator, (size_t)m->frameCount * sizeof *m->pelvis );
+	m->offsets = soleAlloc( m->allocator, (size_t)m->frameCount * sizeof *m->offsets );
 	m->stretched = soleAlloc( m->allocator, legFrames * sizeof *m->stretched );
 	m->samples = soleAlloc( m->allocator, sole_sampleKindCount * legFrames * sizeof *m->samples );
 	m->pooled = soleAlloc( m->allocator, legFrames * sizeof *m->pooled );
-	return made && m->frames != NULL && m->pelvis != NULL && m->stretched != NULL && m->samples != NULL &&
-	    m->pooled != NULL;
+	return made && m->frames != NULL && m->pelvis != NULL && m->offsets != NULL && m->stretched != NULL &&
+	    m->samples != NULL && m->pooled != NULL;
 }
 
 // --------------------------------------------------------------------------------------------------------- gather
@@ -147,30 +155,54 @@ static void soleGatherFrame( soleMeasurement* m, int32_t frame )
 	}
 }
 
+/// Where the evaluated pose has its pelvis, along the axes of its own root but in metres of the world.
+static soleVec3d soleGetPelvisFromRoot( const soleMeasurement* m, soleTransform root )
+{
+	soleVec3d pelvis = m->pose.joints[soleRig_GetPelvis( m->rig )].translation;
+	soleQuatd q = soleWidenQuat( root.rotation );
+	q = ( soleQuatd ){ -q.x, -q.y, -q.z, q.w };
+	return soleRotateD( q, soleSubD( pelvis, soleWiden( root.translation ) ) );
+}
+
+/// Notes which legs of the reference are over-extended in a frame. @return where its pelvis is
+static soleVec3d soleGatherReference( soleMeasurement* m, int32_t frame )
+{
+	for ( int32_t leg = 0; leg < m->legCount; ++leg )
+	{
+		soleVec3d chain[SOLE_MAX_LEG_JOINTS + 1];
+		int32_t count = soleGetLegChain( &m->pose, leg, chain );
+		m->stretched[(size_t)frame * (size_t)m->legCount + (size_t)leg] = soleIsStretched( chain, count );
+	}
+	return soleGetPelvisFromRoot( m, m->def->reference->roots[frame] );
+}
+
 static soleResult soleGather( soleMeasurement* m, soleMessage* message )
 {
-	soleResult result = sole_success;
-	for ( int32_t frame = 0; frame < m->frameCount && result == sole_success; ++frame )
+	const soleMeasureDef* def = m->def;
+	for ( int32_t frame = 0; frame < m->frameCount; ++frame )
 	{
-		if ( m->def->reference != NULL )
+		soleVec3d pelvis = { 0.0, 0.0, 0.0 };
+		soleResult result = sole_success;
+		if ( def->reference != NULL )
 		{
-			soleEvaluateWorld( &m->pose, m->def->reference, frame );
+			soleEvaluateWorld( &m->pose, def->reference, frame );
 			result = soleCheckFrame( m, "reference", frame, message );
-			for ( int32_t leg = 0; leg < m->legCount && result == sole_success; ++leg )
-			{
-				soleVec3d chain[SOLE_MAX_LEG_JOINTS + 1];
-				int32_t count = soleGetLegChain( &m->pose, leg, chain );
-				m->stretched[(size_t)frame * (size_t)m->legCount + (size_t)leg] = soleIsStretched( chain, count );
-			}
+			pelvis = soleGatherReference( m, frame );
 		}
-		soleEvaluateWorld( &m->pose, m->def->motion, frame );
+		soleEvaluateWorld( &m->pose, def->motion, frame );
 		result = result == sole_success ? soleCheckFrame( m, "motion", frame, message ) : result;
-		if ( result == sole_success )
+		if ( result != sole_success )
 		{
-			soleGatherFrame( m, frame );
+			return result;
+		}
+		soleGatherFrame( m, frame );
+		if ( def->reference != NULL )
+		{
+			m->offsets[frame] =
+			    soleLengthD( soleSubD( soleGetPelvisFromRoot( m, def->motion->roots[frame] ), pelvis ) );
 		}
 	}
-	return result;
+	return sole_success;
 }
 
 // ----------------------------------------------------------------------------------------------------- statistics
@@ -223,6 +255,8 @@ static void soleFinish( soleMeasurement* m )
 		all->labelledFrames += figures->labelledFrames;
 		all->stances += figures->stances;
 		all->overExtended += figures->overExtended;
+		all->swings += figures->swings;
+		all->scuffs += figures->scuffs;
 		all->kneeAccelerationMax = fmax( all->kneeAccelerationMax, figures->kneeAccelerationMax );
 		all->largestJump = fmax( all->largestJump, figures->largestJump );
 	}
@@ -255,10 +289,9 @@ soleResult soleMeasureMotion(
 		.figures = figures,
 	};
 	figures->legCount = m.legCount;
-	double scale = fabs( (double)def->motion->roots[0].scale.x );
 	for ( int32_t leg = 0; leg < m.legCount; ++leg )
 	{
-		m.reach[leg] = REACH * scale * (double)soleRig_GetLegLength( m.rig, leg );
+		m.reach[leg] = soleFindReach( def->motion, leg );
 	}
 	if ( soleMakeMeasurement( &m ) == false )
 	{

@@ -50,6 +50,7 @@ typedef struct soleMeasurement
 	soleMeasurePose pose;
 	soleLegFrame* frames; // frame, leg
 	double* pelvis;       // heights, a frame each
+	double* offsets;      // of the pelvis from the reference's, a frame each; 0 without one
 	uint8_t* stretched;   // frame, leg: the reference's leg is over-extended
 	double* samples;      // kind, leg, frame
 	double* pooled;       // scratch, leg and frame
@@ -73,6 +74,24 @@ static inline void soleAddSample( soleMeasurement* m, soleSampleKind kind, int32
 	int32_t slot = m->counts[kind][leg]++;
 	size_t row = (size_t)kind * (size_t)m->legCount + (size_t)leg;
 	m->samples[row * (size_t)m->frameCount + (size_t)slot] = value;
+}
+
+/// Is everything there that measuring needs?
+soleResult soleCheckMeasureDef( const soleMeasureDef* def, soleMessage* message );
+/// How far over a point of a leg's sole its ground is looked for, m.
+double soleFindReach( const soleMotion* motion, int32_t leg );
+
+/// Does the motion go on from a frame to one that is some steps later?
+static inline bool soleIsSmooth( const soleMeasureDef* def, int32_t frame, int32_t steps )
+{
+	for ( int32_t k = 1; k <= steps && def->seams != NULL; ++k )
+	{
+		if ( def->seams[frame + k] )
+		{
+			return false;
+		}
+	}
+	return true;
 }
 
 /// Bones measured in the pose itself: is the leg straighter than it may be?

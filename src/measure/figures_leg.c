@@ -33,6 +33,10 @@ static void soleMeasureKnees( soleMeasurement* m, int32_t leg )
 	{
 		for ( int32_t frame = m->def->skip + 1; frame + 1 < m->frameCount; ++frame )
 		{
+			if ( soleIsSmooth( m->def, frame - 1, 2 ) == false )
+			{
+				continue;
+			}
 			double before = soleBendAngle( soleGetLegFrame( m, frame - 1, leg )->chain + k );
 			double now = soleBendAngle( soleGetLegFrame( m, frame, leg )->chain + k );
 			double after = soleBendAngle( soleGetLegFrame( m, frame + 1, leg )->chain + k );
@@ -83,7 +87,8 @@ void soleMeasureLeg( soleMeasurement* m, int32_t leg )
 		bool stretched = soleIsStretched( soleGetLegFrame( m, frame, leg )->chain, m->chainCounts[leg] );
 		bool allowed = m->stretched[(size_t)frame * (size_t)m->legCount + (size_t)leg] != 0;
 		figures->overExtended += stretched && allowed == false;
-		for ( int32_t k = 0; k < count && frame > def->skip; ++k )
+		bool follows = frame > def->skip && soleIsSmooth( m->def, frame - 1, 1 );
+		for ( int32_t k = 0; k < count && follows; ++k )
 		{
 			soleQuat before = soleLocalRotation( def->motion, m->jointCount, frame - 1, joints[k] );
 			soleQuat now = soleLocalRotation( def->motion, m->jointCount, frame, joints[k] );
@@ -99,8 +104,11 @@ static void soleMeasurePelvis( soleMeasurement* m )
 	for ( int32_t frame = m->def->skip; frame + 1 < m->frameCount; ++frame )
 	{
 		const double* h = m->pelvis + frame;
-		m->figures->pelvisLargestStep = fmax( m->figures->pelvisLargestStep, fabs( h[1] - h[0] ) );
-		if ( frame + 3 < m->frameCount )
+		if ( soleIsSmooth( m->def, frame, 1 ) )
+		{
+			m->figures->pelvisLargestStep = fmax( m->figures->pelvisLargestStep, fabs( h[1] - h[0] ) );
+		}
+		if ( frame + 3 < m->frameCount && soleIsSmooth( m->def, frame, 3 ) )
 		{
 			double jerk = ( h[3] - 3.0 * h[2] + 3.0 * h[1] - h[0] ) * m->rate * m->rate * m->rate;
 			squares += jerk * jerk;
@@ -110,9 +118,20 @@ static void soleMeasurePelvis( soleMeasurement* m )
 	m->figures->pelvisJerk = count > 0 ? sqrt( squares / (double)count ) : 0.0;
 }
 
-void soleMeasureBody( soleMeasurement* m )
+static void soleMeasureOffset( soleMeasurement* m )
 {
-	soleMeasurePelvis( m );
+	double squares = 0.0;
+	for ( int32_t frame = m->def->skip; frame < m->frameCount; ++frame )
+	{
+		double offset = m->offsets[frame];
+		squares += offset * offset;
+		m->figures->pelvisOffsetMax = fmax( m->figures->pelvisOffsetMax, offset );
+	}
+	m->figures->pelvisOffsetRms = sqrt( squares / (double)( m->frameCount - m->def->skip ) );
+}
+
+static void soleMeasureDeviation( soleMeasurement* m )
+{
 	const soleMeasureDef* def = m->def;
 	double squares = 0.0;
 	int32_t count = 0;
@@ -133,4 +152,11 @@ void soleMeasureBody( soleMeasurement* m )
 		}
 	}
 	m->figures->deviation = count > 0 ? sqrt( squares / (double)count ) : 0.0;
+}
+
+void soleMeasureBody( soleMeasurement* m )
+{
+	soleMeasurePelvis( m );
+	soleMeasureOffset( m );
+	soleMeasureDeviation( m );
 }

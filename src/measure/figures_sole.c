@@ -72,7 +72,7 @@ static void soleMeasureSlide( soleMeasurement* m, int32_t leg )
 	for ( int32_t frame = m->def->skip; frame + 1 < m->frameCount; ++frame )
 	{
 		uint32_t label = soleGetLabel( m, frame, leg ) & soleGetLabel( m, frame + 1, leg );
-		if ( label == sole_labelNone )
+		if ( label == sole_labelNone || soleIsSmooth( m->def, frame, 1 ) == false )
 		{
 			continue;
 		}
@@ -132,10 +132,11 @@ static void soleMeasureStance( soleMeasurement* m, int32_t leg, int32_t first, i
 	}
 }
 
-/// @param first, end a swing between two stances
+/// The middle of a swing between two stances. Its foot lifts half a frame before first and strikes half a frame before
+/// end: labels do not say it better.
 static void soleMeasureSwing( soleMeasurement* m, int32_t leg, int32_t first, int32_t end )
 {
-	int32_t margin = (int32_t)ceil( SWING_MARGIN * m->rate - 1e-3 );
+	int32_t margin = (int32_t)ceil( SWING_MARGIN * m->rate - 0.5 - 1e-3 );
 	double least = HUGE_VAL;
 	for ( int32_t frame = first + margin; frame < end - margin; ++frame )
 	{
@@ -144,6 +145,8 @@ static void soleMeasureSwing( soleMeasurement* m, int32_t leg, int32_t first, in
 	if ( least < HUGE_VAL )
 	{
 		soleAddSample( m, sole_sampleClearance, leg, least );
+		m->figures->legs[leg].swings += 1;
+		m->figures->legs[leg].scuffs += least < 0.0;
 	}
 }
 

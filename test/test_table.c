@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// The quality that is promised: three walks over stairs, ramps and rubble, at three rates, against the targets. What is
+// missed today is listed with how far, and may not get worse; what holds has to go on holding. Walks whose files are
+// not there are left out, and said so.
+#include "test.h"
+
+#include "table.h"
+
+#define TARGETS 11
+#define GROUNDS 6
+#define SLACK 1.1 // of a figure as it is today
+
+static const char* const grounds[GROUNDS] = { "T02", "T03", "T11-10", "T11-20", "T11-30", "rubble" };
+static const int32_t rates[] = { 30, 60, 144 };
+
+static const struct
+{
+	const char* name;
+	const char* character; // below the data folder, or embedded
+	const char* clip;
+} walks[] = {
+	{ "mannequin", "mannequin", "walk" },
+	{ "quaternius", "human-quaternius-ual/human-base-animations.glb", "Walk_Loop" },
+	{ "pab", "human-pab-rootmotion/pab_arnaud.glb", "walk" },
+};
+
+/// How many times its limit a figure may be at any of the rates, see toolGetExcess(); 0: the target holds.
+typedef struct testMissed
+{
+	const char* walk;
+	const char* ground;
+	double most[TARGETS];
+} testMissed;
+
+static const testMissed missed[] = {
+	// clang-format off
+	//                           penetration     hover   share   slide   drift    knee  pelvis   over-   joint   rate
+	//                           p95     max     p95                     max      acc.    jerk    ext.    step    max
+	{ "mannequin", "T02",     {   2.08,      0,  37.40,   2.00,  95.99,  27.28,   2.77,   9.14,      0,   5.62,  30.09 } },
+	{ "mannequin", "T03",     {  38.52,  18.87, 127.93,   5.53, 562.79,  77.61,   4.93,   8.20,      0,  55.18, 131.69 } },
+	{ "mannequin", "T11-10",  {      0,      0,   2.49,      0,  10.78,   2.30,   1.56,   7.92,      0,   2.89,   3.28 } },
+	{ "mannequin", "T11-20",  {      0,      0,   3.56,   1.16,  32.33,   6.68,   2.08,  13.93,      0,   2.43,   5.35 } },
+	{ "mannequin", "T11-30",  {   3.61,   1.22,   4.40,   1.31,  69.00,   7.52,   2.49,  22.91,      0,   6.25,  15.38 } },
+	{ "mannequin", "rubble",  {   6.01,   1.80,   2.39,   1.33,  27.56,   8.10,   2.88,  33.35,      0,   3.28,  31.99 } },
+	{ "quaternius", "T02",    {      0,      0,  37.50,   1.65,      0,   6.31,   1.46,   6.06,      0,   3.15,  21.97 } },
+	{ "quaternius", "T03",    {   8.23,   7.29,  73.39,   2.51,   1.81,   7.42,   1.82,   3.63,      0,   6.36,  29.35 } },
+	{ "quaternius", "T11-10", {      0,      0,      0,      0,      0,      0,      0,   2.54,      0,   1.27,   3.44 } },
+	{ "quaternius", "T11-20", {   1.45,      0,      0,   1.11,      0,      0,      0,   4.35,      0,   1.46,   4.73 } },
+	{ "quaternius", "T11-30", {   3.33,   3.10,      0,   1.21,      0,   1.53,   1.24,   6.19,      0,   2.35,   9.36 } },
+	{ "quaternius", "rubble", {   5.89,   2.30,      0,   1.27,      0,   1.81,   1.22,   5.26,      0,   3.11,  21.60 } },
+	{ "pab", "T02",           {   1.40,   1.45,  36.97,   2.82,   1.63,   2.30,   2.05,   3.06,      0,   3.33,  18.10 } },
+	{ "pab", "T03",           {   3.22,   4.07,  46.31,   2.50,   2.28,   4.14,   2.46,   2.46,      0,   3.30,  46.80 } },
+	{ "pab", "T11-10",        {   3.16,   1.45,      0,   1.33,      0,      0,   1.33,   1.41,      0,      0,   1.72 } },
+	{ "pab", "T11-20",        {   3.16,   1.46,      0,   1.41,      0,      0,   1.64,   2.75,      0,   1.45,   3.44 } },
+	{ "pab", "T11-30",        {   4.26,   1.47,   1.26,   1.62,      0,      0,   1.83,   4.91,      0,   2.58,   6.16 } },
+	{ "pab", "rubble",        {   4.62,   1.45,   1.71,   1.57,      0,      0,   2.27,   3.57,      0,   3.65,  30.18 } },
+	{ NULL, NULL, { 0 } },
+	// clang-format on
+};
+
+/// Excesses of all grounds of a walk, the worst over the rates.
+typedef struct testWalk
+{
+	double excess[GROUNDS][TARGETS];
+} testWalk;
+
+static void makeTable( const char* path, const char* clip, toolTable* table )
+{
+	toolError error = { { 0 } };
+	toolGltf* gltf = NULL;
+	assert_true( toolOpenCharacter( path, &gltf, &error ) );
+	toolCharacter character;
+	toolBoundClip bound;
+	const toolModel* model = toolGltf_GetModel( gltf );
+	assert_true( toolMakeCharacter( model, path, 1.0f, &character, &error ) );
+	assert_true( toolBindNamedClip( &character, model, path, clip, &bound, &error ) );
+	toolTravel travel = toolFindTravel( &character, &bound );
+	const toolMethod* sole = toolFindMethod( "sole" );
+	toolTableDef def = {
+		.character = &character,
+		.bound = &bound,
+		.travel = &travel,
+		.grounds = grounds,
+		.groundCount = GROUNDS,
+		.rates = rates,
+		.rateCount = 3,
+		.methods = &sole,
+		.methodCount = 1,
+	};
+	if ( toolMakeTable( &def, table, &error ) == false )
+	{
+		fail_msg( "%s", error.text );
+	}
+	toolFreeBoundClip( &bound );
+	toolFreeCharacter( &character );
+	toolFreeGltf( gltf );
+}
+
+static testWalk measureWalk( const char* path, const char* clip )
+{
+	testWalk walk = { { { 0.0 } } };
+	int32_t targetCount;
+	const toolTarget* targets = toolGetTargets( &targetCount );
+	assert_int_equal( targetCount, TARGETS );
+	toolTable table;
+	makeTable( path, clip, &table );
+	assert_int_equal( table.cellCount, 3 * GROUNDS );
+	for ( int32_t i = 0; i < table.cellCount; ++i )
+	{
+		assert_true( table.cells[i].figures.all.labelledFrames > 100 );
+		double* excess = walk.excess[i / 3];
+		for ( int32_t k = 0; k < TARGETS; ++k )
+		{
+			excess[k] = fmax( excess[k], toolGetExcess( targets + k, table.cells + i ) );
+		}
+	}
+	toolFreeTable( &table );
+	return walk;
+}
+
+static double findMost( const char* walk, const char* ground, int32_t target )
+{
+	for ( size_t i = 0; missed[i].walk != NULL; ++i )
+	{
+		if ( strcmp( missed[i].walk, walk ) == 0 && strcmp( missed[i].ground, ground ) == 0 )
+		{
+			return missed[i].most[target];
+		}
+	}
+	return 0.0;
+}
+
+/// What is wrong with what is listed for a figure, or NULL.
+static const char* judge( double excess, double most )
+{
+	if ( most <= 0.0 )
+	{
+		return excess <= 1.0 ? NULL : "held, and is missed now";
+	}
+	if ( excess <= 1.0 )
+	{
+		return "holds now: clear its entry";
+	}
+	return excess <= most ? NULL : "got worse";
+}
+
+/// The list as it would have to be.
+static void printMissed( const char* name, const testWalk* walk )
+{
+	for ( int32_t g = 0; g < GROUNDS; ++g )
+	{
+		char word[32];
+		snprintf( word, sizeof word, "\"%s\", \"%s\",", name, grounds[g] );
+		print_message( "\t{ %-23s {", word );
+		for ( int32_t k = 0; k < TARGETS; ++k )
+		{
+			double excess = walk->excess[g][k];
+			double most = findMost( name, grounds[g], k );
+			most = judge( excess, most ) == NULL ? most : ( excess > 1.0 ? SLACK * excess : 0.0 );
+			print_message( most > 0.0 ? " %6.2f%s" : " %6.0f%s", most, k + 1 < TARGETS ? "," : " } },\n" );
+		}
+	}
+}
+
+static void checkWalk( const char* name, const testWalk* walk )
+{
+	int32_t count;
+	const toolTarget* targets = toolGetTargets( &count );
+	int32_t wrong = 0;
+	for ( int32_t g = 0; g < GROUNDS; ++g )
+	{
+		for ( int32_t k = 0; k < TARGETS; ++k )
+		{
+			double most = findMost( name, grounds[g], k );
+			const char* what = judge( walk->excess[g][k], most );
+			if ( what != NULL )
+			{
+				print_error( "%s on %s: %s is %.3f times its limit, %.2f are listed: %s\n", name, grounds[g],
+				    targets[k].name, walk->excess[g][k], most, what );
+				++wrong;
+			}
+		}
+	}
+	if ( wrong > 0 )
+	{
+		print_message( "Look at 'sole measure CHARACTER --table'. If this is meant, list:\n" );
+		printMissed( name, walk );
+		fail();
+	}
+}
+
+static void runWalk( int32_t index )
+{
+	char path[1024];
+	bool embedded = strchr( walks[index].character, '.' ) == NULL;
+	if ( embedded == false )
+	{
+		TEST_NEEDS_DATA( walks[index].character );
+	}
+	snprintf( path, sizeof path, embedded ? "%s%s" : "%s/%s", embedded ? "" : SOLE_DATA_DIR, walks[index].character );
+	testWalk walk = measureWalk( path, walks[index].clip );
+	checkWalk( walks[index].name, &walk );
+}
+
+static void theMannequinWalksAsWellAsListed( void** state )
+{
+	(void)state;
+	runWalk( 0 );
+}
+
+static void quaterniusWalksAsWellAsListed( void** state )
+{
+	(void)state;
+	runWalk( 1 );
+}
+
+static void pabWalksAsWellAsListed( void** state )
+{
+	(void)state;
+	runWalk( 2 );
+}
+
+// -------------------------------------------------------------------------------------------------------- targets
+
+static const toolTarget* findTarget( const char* name )
+{
+	int32_t count;
+	const toolTarget* targets = toolGetTargets( &count );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		if ( strcmp( targets[i].name, name ) == 0 )
+		{
+			return targets + i;
+		}
+	}
+	fail_msg( "there is no target %s", name );
+	return NULL;
+}
+
+static void targetsJudgeFiguresAgainstLimitsAndTheInput( void** state )
+{
+	(void)state;
+	toolTableCell cell = { .fps = 30 };
+	soleLegFigures* all = &cell.figures.all;
+	soleLegFigures* input = &cell.reference.all;
+	assert_true( isnan( toolGetExcess( findTarget( "hoverP95" ), &cell ) ) ); // nothing is labelled
+	all->labelledFrames = 100;
+	all->hover.p95 = 0.010;
+	assert_float_equal( (float)toolGetExcess( findTarget( "hoverP95" ), &cell ), 2.0f, 1e-6f );
+	all->contactShare = 0.5;
+	assert_float_equal( (float)toolGetExcess( findTarget( "contactShare" ), &cell ), 1.7f, 1e-6f );
+	all->contactShare = 0.9;
+	assert_true( toolGetExcess( findTarget( "contactShare" ), &cell ) < 1.0 );
+	// Drift: 5 mm, or 1.1 times the input's where that is more.
+	all->drift.max = 0.010;
+	assert_float_equal( (float)toolGetExcess( findTarget( "driftMax" ), &cell ), 2.0f, 1e-6f );
+	input->drift.max = 0.020;
+	assert_float_equal( (float)toolGetExcess( findTarget( "driftMax" ), &cell ), 0.010f / 0.022f, 1e-6f );
+	all->slide = 0.03;
+	input->slide = 0.02;
+	assert_float_equal( (float)toolGetExcess( findTarget( "slide" ), &cell ), 0.03f / 0.022f, 1e-6f );
+	assert_float_equal( (float)toolGetExcess( findTarget( "overExtended" ), &cell ), 1.0f, 0.0f );
+	all->overExtended = 3;
+	assert_float_equal( (float)toolGetExcess( findTarget( "overExtended" ), &cell ), 4.0f, 0.0f );
+	cell.rate.max = 0.0015;
+	assert_float_equal( (float)toolGetExcess( findTarget( "rateMax" ), &cell ), 0.5f, 1e-6f );
+	cell.isBase = true;
+	assert_true( isnan( toolGetExcess( findTarget( "rateMax" ), &cell ) ) );
+}
+
+int main( void )
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test( targetsJudgeFiguresAgainstLimitsAndTheInput ),
+		cmocka_unit_test( theMannequinWalksAsWellAsListed ),
+		cmocka_unit_test( quaterniusWalksAsWellAsListed ),
+		cmocka_unit_test( pabWalksAsWellAsListed ),
+	};
+	return cmocka_run_group_tests( tests, NULL, NULL );
+}
