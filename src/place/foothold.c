@@ -208,6 +208,7 @@ static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 	soleVec3 from = soleAtHeight( work, leg->soleCenter, solePlaneHeight( work, plane, leg->soleCenter ) );
 	state->planePoint_w = soleAdd( from, work->root_w );
 	state->flags |= (uint32_t)sole_statePlanned;
+	state->flags &= ~(uint32_t)sole_stateChosen;
 }
 
 /// Sets out, or goes on, to the next foothold.
