@@ -15,7 +15,7 @@
 /// Joints of a leg from hip to ankle, both included.
 #define SOLE_MAX_LEG_JOINTS 7
 #define SOLE_MAX_TOE_JOINTS 3
-#define SOLE_MAX_PROBES_PER_LEG 20
+#define SOLE_MAX_PROBES_PER_LEG 32
 #define SOLE_MAX_PROBES ( SOLE_MAX_LEGS * SOLE_MAX_PROBES_PER_LEG )
 
 // ------------------------------------------------------------------------------------------------ rig definition
@@ -390,14 +390,15 @@ typedef struct soleLegState
 	soleVec3 planeNormal_w;
 	soleVec3 stepPlace_w; // where it is going to, or stands: ball
 	soleVec3 stepNormal_w;
-	float toeSlope;       // of the toes of a foot that stands
-	float chosenOver;     // how far its plane is over what is met under it
-	float stepRise;       // by which its path is raised over what lies between
-	soleOffset3 slide;    // horizontal offset of the foot from the animation
-	soleOffset1 turn;     // heading offset, tan( angle / 4 )
-	soleOffset1 height;   // what is left of ground steps
-	soleOffset3 gradient; // what is left of slope changes
-	float heelRise;       // their heights over the clip's floor
+	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
+	float toeSlope;         // of the toes of a foot that stands
+	float chosenOver;       // how far its plane is over what is met under it
+	float stepRise;         // by which its path is raised over what lies between
+	soleOffset3 slide;      // horizontal offset of the foot from the animation
+	soleOffset1 turn;       // heading offset, tan( angle / 4 )
+	soleOffset1 height;     // what is left of ground steps
+	soleOffset3 gradient;   // what is left of slope changes
+	float heelRise;         // their heights over the clip's floor
 	float ballRise;
 	float heelSpeed; // their speeds over the ground
 	float ballSpeed;

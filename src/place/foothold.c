@@ -181,10 +181,15 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 	    soleLength( apart ) < 2.0f * work->settings->foothold.shift * leg->length;
 }
 
-/// Chooses the foothold, or keeps it. @return false: there is no ground
+/// Chooses the foothold, or keeps it where nothing new is known. @return false: there is no ground
 static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
+	bool planned = ( state->flags & sole_statePlanned ) != 0;
+	if ( planned && leg->sampleCount == 0 )
+	{
+		return true;
+	}
 	soleVec3 place = soleChoosePlace( work, leg );
 	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
 	if ( rest.found == false )
@@ -194,7 +199,8 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	place = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
 	state->stepPlace_w = soleAdd( place, work->root_w );
 	state->stepNormal_w = rest.plane.normal;
-	leg->toeSlope = rest.toeSlope;
+	state->stepLanding_w = soleAdd( leg->landing, work->root_w );
+	state->toeSlope = rest.toeSlope;
 	leg->out->confidence = rest.confidence;
 	return true;
 }
@@ -231,7 +237,8 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg )
 	soleWay way = soleRememberWay( work, leg );
 	leg->stepPlace = way.to;
 	leg->stepNormal = state->stepNormal_w;
-	if ( settled == false )
+	leg->toeSlope = state->toeSlope;
+	if ( settled == false && leg->sampleCount > 0 )
 	{
 		state->stepRise = soleFindRise( work, leg, &way );
 		way.rise = state->stepRise;

@@ -55,6 +55,7 @@ static void soleShiftState( soleState* state, const soleFrame* frame, int32_t le
 		leg->lockPoint_w = soleAdd( leg->lockPoint_w, shift );
 		leg->planePoint_w = soleAdd( leg->planePoint_w, shift );
 		leg->stepPlace_w = soleAdd( leg->stepPlace_w, shift );
+		leg->stepLanding_w = soleAdd( leg->stepLanding_w, shift );
 	}
 }
 
@@ -70,14 +71,15 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		finite = finite && soleVec3_IsFinite( leg->animHeel_w ) && soleVec3_IsFinite( leg->animBall_w ) &&
 		    soleVec3_IsFinite( leg->lockPoint_w ) && soleVec3_IsFinite( leg->lockForward_w ) &&
 		    soleVec3_IsFinite( leg->planePoint_w ) && soleVec3_IsFinite( leg->planeNormal_w ) &&
-		    soleVec3_IsFinite( leg->stepPlace_w ) && soleVec3_IsFinite( leg->stepNormal_w ) &&
-		    soleIsFinite( leg->stepRise ) && soleIsFinite( leg->toeSlope + leg->chosenOver ) &&
-		    soleVec3_IsFinite( leg->slide.value ) && soleVec3_IsFinite( leg->slide.velocity ) &&
-		    soleVec3_IsFinite( leg->gradient.value ) && soleVec3_IsFinite( leg->gradient.velocity ) &&
-		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
-		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
-		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) &&
-		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
+		    soleVec3_IsFinite( leg->stepPlace_w ) && soleVec3_IsFinite( leg->stepLanding_w ) &&
+		    soleVec3_IsFinite( leg->stepNormal_w ) && soleIsFinite( leg->stepRise ) &&
+		    soleIsFinite( leg->toeSlope + leg->chosenOver ) && soleVec3_IsFinite( leg->slide.value ) &&
+		    soleVec3_IsFinite( leg->slide.velocity ) && soleVec3_IsFinite( leg->gradient.value ) &&
+		    soleVec3_IsFinite( leg->gradient.velocity ) && soleIsFinite( leg->turn.value ) &&
+		    soleIsFinite( leg->turn.velocity ) && soleIsFinite( leg->height.value ) &&
+		    soleIsFinite( leg->height.velocity ) && soleIsFinite( leg->plantWeight ) &&
+		    soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise ) &&
+		    soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
 	}
 	return finite;
 }

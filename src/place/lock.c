@@ -157,7 +157,7 @@ static void soleKeepLock( solePlaceWork* work, soleLegWork* leg )
 		soleSetAnchor( work, leg, false );
 		leg->anchorGoal = ball;
 		state->lockPoint_w = soleAdd( soleSub( ball, state->slide.value ), work->root_w );
-		state->flags &= ~(uint32_t)sole_stateByHeel;
+		state->flags &= ~(uint32_t)( sole_stateByHeel | sole_stateCompared );
 	}
 }
 

@@ -5,15 +5,18 @@
 // a raised heel asks for the ground it will come to rest on. A held foot asks where it is held. A foot in flight whose
 // next foothold is foreseen asks there: a strip along its heading, as long as the step may be shifted and shorter the
 // nearer the foot has come, both sides of the ball, and some places on the way there. One in flight that is not
-// foreseen asks under itself and a little ahead of its toes. One that has just been planted reads its ground closely.
-// Each probe is a vertical segment around the reference height (the clip's floor as the root carries it), never around
-// the foot: a foot that is inside a step still finds the step's top.
+// foreseen asks under itself and a little ahead of its toes. (The strip is asked for a few times on the way only.) One
+// that has just been planted reads its ground closely. Each probe is a vertical segment around the reference height
+// (the clip's floor as the root carries it), never around the foot: a foot that is inside a step still finds the step's
+// top.
 #include "place/place.h"
 
-#define FLYING 0.8f     // L/s
-#define STRIP_TIME 0.3f // s before landing from which on the strip gets shorter
-#define CLIMB 0.7f      // rise per length: as much further up and down is asked for places ahead of the root
-#define STRIP_END 0.05f // L: at last a third of it is as long as this about each end of the sole
+#define FLYING 0.8f           // L/s
+#define CHOICE_TIME 0.12f     // s
+#define MEANT_ELSEWHERE 0.02f // L
+#define STRIP_TIME 0.3f       // s before landing from which on the strip gets shorter
+#define CLIMB 0.7f            // rise per length: as much further up and down is asked for places ahead of the root
+#define STRIP_END 0.05f       // L: at last a third of it is as long as this about each end of the sole
 
 /// How many probes of each kind.
 typedef struct soleProbeCounts
@@ -30,25 +33,36 @@ static soleProbeCounts soleGetProbeCounts( soleProbeLayout layout )
 	switch ( layout )
 	{
 	case sole_probeQuality:
-		return ( soleProbeCounts ){ 18, 2, 13, 2, 5 };
+		return ( soleProbeCounts ){ 18, 2, 25, 2, 5 };
 	case sole_probeSingle:
 		return ( soleProbeCounts ){ 1, 2, 1, 0, 2 };
 	case sole_probeEconomy:
 	case sole_probeLayoutForce32:
 		break;
 	}
-	return ( soleProbeCounts ){ 5, 2, 11, 2, 5 };
+	return ( soleProbeCounts ){ 5, 2, 25, 2, 5 };
 }
 
 int32_t soleProbesPerLeg( const soleSettings* settings )
 {
 	soleProbeCounts counts = soleGetProbeCounts( settings->probe.layout );
-	int32_t under = counts.sole + counts.ahead;
+	int32_t under = soleGetProbeCounts( sole_probeQuality ).sole;
+	under = settings->probe.layout == sole_probeSingle ? counts.sole + counts.ahead : under + counts.ahead;
 	int32_t there = counts.strip + counts.sides + counts.way;
 	return under > there ? under : there;
 }
 
 // ------------------------------------------------------------------------------------------------------------- aim
+
+/// A foothold is chosen anew when the animation means another, and a few times on the way there.
+static bool soleIsTimeToChoose( const solePlaceWork* work, const soleLegWork* leg )
+{
+	soleVec3 moved = soleSub( soleAdd( leg->landing, work->root_w ), leg->state->stepLanding_w );
+	float now = leg->stepInput.until / CHOICE_TIME;
+	float before = ( leg->stepInput.until + work->timeStep ) / CHOICE_TIME;
+	bool due = (float)(int32_t)soleMinF( now, 1e6f ) != (float)(int32_t)soleMinF( before, 1e6f );
+	return due || soleLength( soleHorizontal( work, moved ) ) > MEANT_ELSEWHERE * leg->length;
+}
 
 /// Where the foot will land, if the host tells when, and in flight.
 static void soleForesee( const solePlaceWork* work, soleLegWork* leg )
@@ -69,6 +83,7 @@ static void soleForesee( const solePlaceWork* work, soleLegWork* leg )
 	soleVec3 normal = planned ? leg->state->stepNormal_w : leg->state->planeNormal_w;
 	leg->landing = soleAdd( place, soleTiltShift( work, leg, normal ) );
 	leg->landingForward = soleNormalizeOr( forward, leg->forward );
+	leg->choosing = planned == false || soleIsTimeToChoose( work, leg );
 }
 
 void soleAimSole( solePlaceWork* work, soleLegWork* leg )
@@ -91,6 +106,14 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 	}
 	soleHalf half = soleHalfFromQuarterTan( state->turn.value );
 	leg->soleCenter = soleAdd( leg->ball, state->slide.value );
+	if ( leg->foreseen )
+	{
+		// It leaves with its toes and comes down with its heel.
+		soleVec3 byHeel = soleMulAdd( leg->heel, leg->rig->heelBehind * work->rootScale, leg->forward );
+		float whole = leg->stepInput.since + leg->stepInput.until;
+		float share = whole > 0.0f ? leg->stepInput.since / whole : 1.0f;
+		leg->soleCenter = soleLerp( leg->soleCenter, soleAdd( byHeel, state->slide.value ), share );
+	}
 	leg->soleForward = soleRotate( soleHalfRotation( work->up, half ), leg->forward );
 	leg->tip = soleMulAdd( leg->soleCenter, leg->rig->toeAhead * work->rootScale, leg->soleForward );
 }
@@ -198,7 +221,7 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	}
 	if ( leg->foreseen )
 	{
-		return soleChooseLandingPoint( work, leg, k, point );
+		return leg->choosing && soleChooseLandingPoint( work, leg, k, point );
 	}
 	soleProbeLayout layout = work->settings->probe.layout;
 	// A foot that has just been planted reads its ground closely, once.
