@@ -4,9 +4,10 @@
 // Where. The host tells, from the clip, when the foot comes down and where the animation means it to: its landing. Of
 // places along the foot around the landing, within foothold.shift, the one is taken that costs least,
 //   cost = 2 distance + max( 0, share - bearing share ) + 10 max( 0, depth - 2 mm )     lengths in leg lengths / 0.9
-// so that a sole does not hang over an edge when a small shift helps. The place taken last is one of them, and keeps
-// its rank unless another is better by MUCH; near the end it is settled. The foot travels there in flight: it need not
-// slide once it is down.
+// and half of the second term for what is ahead of the ball and for what is behind it, each by itself: a foot comes
+// down on its heel and leaves with its toes, so that a sole does not hang over an edge when a small shift helps. The
+// place taken last is one of them, and keeps its rank unless another is better by MUCH; near the end it is settled. The
+// foot travels there in flight: it need not slide once it is down.
 //
 // The way. From the plane on which the foot stood to the one on which it will, the height of the ground under it goes
 // along the chord between both places, by the share s of the way that it has come (by the share of the time where both
@@ -135,7 +136,9 @@ static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, sole
 	float metre = 0.9f / leg->length;
 	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, true );
 	float distance = soleLength( soleHorizontal( work, soleSub( place, leg->landing ) ) );
-	float cost = 2.0f * metre * distance + soleMaxF( work->settings->foothold.share - rest.share, 0.0f );
+	float wanted = work->settings->foothold.share;
+	float cost = 2.0f * metre * distance + soleMaxF( wanted - rest.share, 0.0f );
+	cost += 0.5f * ( soleMaxF( wanted - rest.foreShare, 0.0f ) + soleMaxF( wanted - rest.rearShare, 0.0f ) );
 	cost += 10.0f * metre * soleMaxF( rest.sunk - DEPTH * leg->length, 0.0f );
 	return cost + ( rest.found && rest.steep == false ? 0.0f : STEEP_COST );
 }

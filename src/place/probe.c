@@ -14,7 +14,7 @@
 #define FLYING 0.8f           // L/s
 #define CHOICE_TIME 0.12f     // s
 #define MEANT_ELSEWHERE 0.02f // L
-#define STRIP_TIME 0.3f       // s before landing from which on the strip gets shorter
+#define STRIP_TIME 0.24f      // s in which the strip becomes short, until the last choice
 #define CLIMB 0.7f            // rise per length: as much further up and down is asked for places ahead of the root
 #define STRIP_END 0.05f       // L: at last a third of it is as long as this about each end of the sole
 
@@ -155,12 +155,18 @@ static soleVec3 soleProbePoint(
 	return soleMulAdd( p, sideways * work->rootScale, side );
 }
 
+/// 1: the foot has just set out, 0: its foothold is chosen for the last time.
+static float soleIsFar( const soleLegWork* leg )
+{
+	return soleSaturate( ( leg->stepInput.until - CHOICE_TIME ) / STRIP_TIME );
+}
+
 /// Probe k of count along the strip: evenly over all of it while the foot is far; when it is near, over the sole, most
 /// of them about its ends, where an edge matters most.
 static soleVec3 soleStripPoint(
     const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, int32_t k, int32_t count )
 {
-	float far = soleSaturate( leg->stepInput.until / STRIP_TIME );
+	float far = soleIsFar( leg );
 	float heel = -leg->rig->heelBehind * work->rootScale;
 	float toe = leg->rig->toeAhead * work->rootScale;
 	if ( count < 2 )
@@ -194,7 +200,7 @@ static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork
 	if ( k < counts.strip )
 	{
 		// As long as it is far off, what the animation means counts; then what was chosen.
-		float far = soleSaturate( leg->stepInput.until / STRIP_TIME );
+		float far = soleIsFar( leg );
 		soleVec3 center = soleLerp( chosen, leg->landing, far );
 		*point = soleStripPoint( work, leg, center, k, counts.strip );
 		return true;

@@ -35,7 +35,8 @@ typedef struct soleRestPoints
 {
 	soleRestPoint points[MAX_POINTS];
 	int32_t count;
-	int32_t asked; // places under the sole, with those where nothing was met
+	int32_t asked;      // places under the sole, with those where nothing was met
+	int32_t askedAhead; // those ahead of the ball line
 } soleRestPoints;
 
 /// c + gu u + gv v
@@ -61,6 +62,7 @@ static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, s
 	soleVec3 side = soleCross( forward, work->up );
 	found->count = 0;
 	found->asked = 0;
+	found->askedAhead = 0;
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
@@ -74,11 +76,13 @@ static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, s
 			continue;
 		}
 		bool under = u > heel - 0.1f * margin && u < toe + 0.1f * margin;
+		bool ahead = u > 0.1f * toe;
 		found->asked += under ? 1 : 0;
+		found->askedAhead += under && ahead ? 1 : 0;
 		if ( sample->found )
 		{
 			soleRestPoint* p = found->points + found->count++;
-			*p = ( soleRestPoint ){ u - loadAhead, v, sample->height, u > 0.1f * toe, under, found->count - 1, sample };
+			*p = ( soleRestPoint ){ u - loadAhead, v, sample->height, ahead, under, found->count - 1, sample };
 		}
 	}
 }
@@ -299,21 +303,31 @@ static float soleClampToeSlope( const solePlaceWork* work, float slope )
 	return soleClampF( slope, least, most );
 }
 
-/// Which share of the places under the sole bears it, and how deep it is inside the ground.
+static float soleShareOf( int32_t part, int32_t whole )
+{
+	return whole > 0 ? (float)part / (float)whole : 1.0f;
+}
+
+/// Which share of the places under the sole bears it, before and behind its ball, and how deep it is inside the ground.
 static void soleJudge( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit,
     float ballU, soleRest* rest )
 {
 	float toes = leg->rig->toeSlot != SOLE_NONE ? soleClampToeSlope( work, rest->toeSlope ) : 0.0f;
-	int32_t bearing = 0;
+	int32_t fore = 0;
+	int32_t rear = 0;
 	for ( int32_t i = 0; i < all->count; ++i )
 	{
 		const soleRestPoint* p = all->points + i;
 		float bend = p->ahead ? toes * ( p->u - ballU ) : 0.0f;
 		float gap = fit->c + fit->gu * p->u + fit->gv * p->v + bend - p->h;
 		rest->sunk = soleMaxF( rest->sunk, -gap );
-		bearing += p->under && gap < BEARS_UNDER * leg->length ? 1 : 0;
+		bool bears = p->under && gap < BEARS_UNDER * leg->length;
+		fore += bears && p->ahead ? 1 : 0;
+		rear += bears && p->ahead == false ? 1 : 0;
 	}
-	rest->share = all->asked > 0 ? (float)bearing / (float)all->asked : 0.0f;
+	rest->share = soleShareOf( fore + rear, all->asked );
+	rest->foreShare = soleShareOf( fore, all->askedAhead );
+	rest->rearShare = soleShareOf( rear, all->asked - all->askedAhead );
 }
 
 // ------------------------------------------------------------------------------------------------------------- rest

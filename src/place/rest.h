@@ -13,6 +13,8 @@ typedef struct soleRest
 	solePlane plane;    // its point under the load point
 	float toeSlope;     // rise per length of the ground in front of the ball, over the plane
 	float share;        // of the places under the sole that bear
+	float foreShare;    // of those ahead of the ball
+	float rearShare;    // and behind
 	float confidence;   // 0..1
 	float sunk;         // how far the sole is inside the ground all the same, toes bent
 	bool onEdge, steep; // part of it hangs over a lower level; the ground cannot be walked on
