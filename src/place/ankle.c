@@ -76,30 +76,55 @@ static bool soleHasAnkle( const soleRigLeg* rig )
 	return rig->def.hasVirtualAnkle == false || rig->def.detachedFoot != SOLE_NONE;
 }
 
-/// Height, over the pivot and along a normal, of the lowest point of a sole that is turned like this. Toes that bend
-/// are left out.
-static float soleLowestPoint( const soleLegWork* leg, soleQuat foot, soleVec3 normal )
+// ------------------------------------------------------------------------------------------------------------- toes
+
+/// The toes of a foot that is turned like this, world.
+static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg, soleQuat footRotation )
 {
 	const soleRigLeg* rig = leg->rig;
-	const soleVec3 points[] = { rig->heel, rig->inner, rig->outer, rig->toe };
-	int32_t count = rig->toeSlot != SOLE_NONE ? 3 : 4;
-	float lowest = 0.0f;
-	for ( int32_t i = 0; i < count; ++i )
+	// The toe as the foot carries it, and as the ground wants it.
+	soleQuat local = soleMulQuat( soleConjugate( leg->foot.rotation ), leg->toeRotation );
+	soleQuat carried = soleMulQuat( footRotation, local );
+	soleVec3 side = soleRotate( footRotation, rig->footSide );
+	soleHalf slope = soleMakeHalf( 1.0f, leg->toeSlope );
+	soleQuat wanted = soleMulQuat( soleHalfRotation( side, slope ), soleMulQuat( leg->image, leg->toeRotation ) );
+	soleHalf bend = soleTwistHalf( soleTwist( soleMulQuat( wanted, soleConjugate( carried ) ), side ), side );
+	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
+	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
+	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
+	float share = leg->weight * leg->state->plantWeight;
+	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
+	return soleNlerp( carried, bent, share );
+}
+
+// ------------------------------------------------------------------------------------------------- range of motion
+
+/// Height, over the pivot and along a normal, of the lowest point of a sole that is turned like this, its toes bent as
+/// they will be.
+static float soleLowestPoint( const solePlaceWork* work, const soleLegWork* leg, soleQuat foot, soleVec3 normal )
+{
+	const soleRigLeg* rig = leg->rig;
+	float heel = soleDot( soleRotate( foot, soleMul( leg->foot.scale, soleSub( rig->heel, rig->pivot ) ) ), normal );
+	bool bends = rig->toeSlot != SOLE_NONE;
+	soleQuat fore = bends ? soleBendToe( work, leg, foot ) : foot;
+	soleVec3 from = bends ? soleVec( 0.0f, 0.0f, 0.0f ) : rig->pivot;
+	const soleVec3 points[] = { rig->foreInner, rig->foreOuter, rig->foreBall, rig->toe };
+	float lowest = heel;
+	for ( int32_t i = 0; i < ( bends ? 3 : 4 ); ++i )
 	{
-		soleVec3 arm = soleRotate( foot, soleMul( leg->foot.scale, soleSub( points[i], rig->pivot ) ) );
-		float height = soleDot( arm, normal );
-		lowest = i == 0 || height < lowest ? height : lowest;
+		soleVec3 arm = soleRotate( fore, soleMul( leg->foot.scale, soleSub( points[i], from ) ) );
+		lowest = soleMinF( lowest, soleDot( arm, normal ) );
 	}
 	return lowest;
 }
 
 /// Sets the targets of a foot that was turned from `wanted` to `turned`: its lowest point stays as high as it was
 /// wanted, its pivot where it was along the ground.
-static void soleRetarget( soleLegWork* leg, soleQuat wanted, soleQuat turned )
+static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat wanted, soleQuat turned )
 {
 	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->pivotTarget ) );
 	soleVec3 normal = leg->out->planeNormal_w;
-	float raise = soleLowestPoint( leg, wanted, normal ) - soleLowestPoint( leg, turned, normal );
+	float raise = soleLowestPoint( work, leg, wanted, normal ) - soleLowestPoint( work, leg, turned, normal );
 	leg->pivotTarget = soleMulAdd( leg->pivotTarget, raise, normal );
 	leg->ankleTarget = soleAdd( leg->pivotTarget, soleRotate( turned, arm ) );
 	leg->footTarget = turned;
@@ -124,30 +149,10 @@ void soleLimitAnkles( solePlaceWork* work )
 		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
 		if ( clamped )
 		{
-			soleRetarget( leg, leg->footReached, solePutTogether( rig, shin, turn ) );
+			soleRetarget( work, leg, leg->footReached, solePutTogether( rig, shin, turn ) );
 			leg->out->flags |= (uint32_t)sole_legAnkleClamped;
 		}
 	}
-}
-
-// ------------------------------------------------------------------------------------------------------------- toes
-
-static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg )
-{
-	const soleRigLeg* rig = leg->rig;
-	// The toe as the foot carries it, and as the ground wants it.
-	soleQuat local = soleMulQuat( soleConjugate( leg->foot.rotation ), leg->toeRotation );
-	soleQuat carried = soleMulQuat( leg->footReached, local );
-	soleVec3 side = soleRotate( leg->footReached, rig->footSide );
-	soleHalf slope = soleMakeHalf( 1.0f, leg->toeSlope );
-	soleQuat wanted = soleMulQuat( soleHalfRotation( side, slope ), soleMulQuat( leg->image, leg->toeRotation ) );
-	soleHalf bend = soleTwistHalf( soleTwist( soleMulQuat( wanted, soleConjugate( carried ) ), side ), side );
-	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
-	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
-	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
-	float share = leg->weight * leg->state->plantWeight;
-	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
-	return soleMulQuat( soleConjugate( leg->footReached ), soleNlerp( carried, bent, share ) );
 }
 
 // ----------------------------------------------------------------------------------------------------------- output
@@ -219,7 +224,9 @@ void soleAlignAnkles( solePlaceWork* work )
 			// Joints between foot and toe keep their turns: the new toe is expressed in its own parent.
 			soleQuat foot =
 			    soleMulQuat( soleConjugate( leg->foot.rotation ), soleParentRotation( work, rig->toeSlot ) );
-			out->toeRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( foot ), soleBendToe( work, leg ) ) );
+			soleQuat toe = soleBendToe( work, leg, leg->footReached );
+			toe = soleMulQuat( soleConjugate( leg->footReached ), toe );
+			out->toeRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( foot ), toe ) );
 		}
 	}
 }
