@@ -31,7 +31,7 @@
 #define DEPTH 0.0022f    // L
 #define SHIFTS 4         // to either side
 #define BY_TIME 0.25f    // L: a step shorter than this goes by time
-#define STEEP_COST 1.0f  // of a place that cannot be walked on
+#define UNFIT 1.0f       // cost of a place that cannot be walked on, or is not known
 #define MID_FLIGHT 0.36f // 4 s (1 - s) where the way may begin to rise over what lies between: s from 0.1 to 0.9
 
 // ---------------------------------------------------------------------------------------------------------- the way
@@ -140,7 +140,7 @@ static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, sole
 	float cost = 2.0f * metre * distance + soleMaxF( wanted - rest.share, 0.0f );
 	cost += 0.5f * ( soleMaxF( wanted - rest.foreShare, 0.0f ) + soleMaxF( wanted - rest.rearShare, 0.0f ) );
 	cost += 10.0f * metre * soleMaxF( rest.sunk - DEPTH * leg->length, 0.0f );
-	return cost + ( rest.found && rest.steep == false ? 0.0f : STEEP_COST );
+	return cost + ( rest.known && rest.steep == false ? 0.0f : UNFIT );
 }
 
 /// The best of some places to either side of another, the nearest first.

@@ -37,6 +37,7 @@ typedef struct soleRestPoints
 	int32_t count;
 	int32_t asked;      // places under the sole, with those where nothing was met
 	int32_t askedAhead; // those ahead of the ball line
+	bool atHeel, atToe; // places near both ends of the sole were asked for
 } soleRestPoints;
 
 /// c + gu u + gv v
@@ -63,6 +64,8 @@ static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, s
 	found->count = 0;
 	found->asked = 0;
 	found->askedAhead = 0;
+	found->atHeel = false;
+	found->atToe = false;
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
@@ -79,6 +82,8 @@ static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, s
 		bool ahead = u > 0.1f * toe;
 		found->asked += under ? 1 : 0;
 		found->askedAhead += under && ahead ? 1 : 0;
+		found->atHeel = found->atHeel || u < heel + 2.0f * margin;
+		found->atToe = found->atToe || u > toe - 2.0f * margin;
 		if ( sample->found )
 		{
 			soleRestPoint* p = found->points + found->count++;
@@ -325,6 +330,7 @@ static void soleJudge( const solePlaceWork* work, const soleLegWork* leg, const 
 		fore += bears && p->ahead ? 1 : 0;
 		rear += bears && p->ahead == false ? 1 : 0;
 	}
+	rest->known = all->atHeel && all->atToe;
 	rest->share = soleShareOf( fore + rear, all->asked );
 	rest->foreShare = soleShareOf( fore, all->askedAhead );
 	rest->rearShare = soleShareOf( rear, all->asked - all->askedAhead );
