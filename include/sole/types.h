@@ -155,6 +155,7 @@ typedef struct soleSettings
 		float heightHalfLife;   // decay of ground steps under a foot in flight. s [0, 1] default 0.045
 		float gradientHalfLife; // decay of changes of slope under a foot in flight. s [0, 1] default 0.05
 		float plantedHalfLife;  // decay of what is left of both once it is planted. s [0, 1] default 0.02
+		float toeHalfLife;      // decay of changes of the ground before the toes. s [0, 1] default 0.04
 	} support;
 
 	struct
@@ -391,9 +392,10 @@ typedef struct soleLegState
 	soleVec3 stepPlace_w; // where it is going to, or stands: ball
 	soleVec3 stepNormal_w;
 	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
-	float toeSlope;         // of the toes of a foot that stands
+	float toeSlope;         // of the ground in front of the ball over the plane, as last known
+	soleOffset1 toe;        // what is left of its changes
 	float chosenOver;       // how far its plane is over what is met under it
-	float stepRise;         // by which its path is raised over what lies between
+	float stepLift[3];      // by how much its way is lifted over what lies between, at 1/4, 1/2 and 3/4
 	soleOffset3 slide;      // horizontal offset of the foot from the animation
 	soleOffset1 turn;       // heading offset, tan( angle / 4 )
 	soleOffset1 height;     // what is left of ground steps

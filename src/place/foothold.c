@@ -11,7 +11,7 @@
 //
 // The way. From the plane on which the foot stood to the one on which it will, the height of the ground under it goes
 // along the chord between both places, by the share s of the way that it has come (by the share of the time where both
-// are close together), raised over what lies between by  rise * 4 s (1 - s);  the slope goes over smoothly with time.
+// are close together), lifted over what lies between by a smoothed upper hull;  the slope goes over smoothly with time.
 // On an even slope that is the slope itself.
 //
 // A foot that is not foreseen follows the ground under it. It has to pass over what comes: where the ground that its
@@ -22,17 +22,18 @@
 // a foot in flight, quickly by a planted one.
 #include "place/rest.h"
 
-#define GENTLE 0.5f      // rise per length
-#define MUCH 0.02f       // of cost, for a place elsewhere
-#define LITTLE 0.005f    // for one near by
-#define STEP 0.022f      // L: ground this much higher than was foreseen is another step
-#define CHANGE 0.003f    // L: ground that has moved by more is read anew
-#define FEW 0.34f        // share of the places under a sole
-#define DEPTH 0.0022f    // L
-#define SHIFTS 4         // to either side
-#define BY_TIME 0.25f    // L: a step shorter than this goes by time
-#define UNFIT 1.0f       // cost of a place that cannot be walked on, or is not known
-#define MID_FLIGHT 0.36f // 4 s (1 - s) where the way may begin to rise over what lies between: s from 0.1 to 0.9
+#define GENTLE 0.5f    // rise per length
+#define MUCH 0.02f     // of cost, for a place elsewhere
+#define LITTLE 0.005f  // for one near by
+#define STEP 0.022f    // L: ground this much higher than was foreseen is another step
+#define CHANGE 0.003f  // L: ground that has moved by more is read anew
+#define FEW 0.34f      // share of the places under a sole
+#define DEPTH 0.0022f  // L
+#define SHIFTS 4       // to either side
+#define BY_TIME 0.25f  // L: a step shorter than this goes by time
+#define UNFIT 1.0f     // cost of a place that cannot be walked on, or is not known
+#define NEAR_END 0.06f // share of the way near its ends in which nothing can be cleared any more
+#define MOST_MORE 1.6f
 
 // ---------------------------------------------------------------------------------------------------------- the way
 
@@ -43,7 +44,7 @@ typedef struct soleWay
 	soleVec3 to;
 	soleVec3 fromGradient;
 	soleVec3 toGradient;
-	float rise;
+	const float* lift;
 } soleWay;
 
 static soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal )
@@ -60,7 +61,7 @@ static soleWay soleRememberWay( const solePlaceWork* work, const soleLegWork* le
 		soleSub( state->stepPlace_w, work->root_w ),
 		soleGradientOf( work, state->planeNormal_w ),
 		soleGradientOf( work, state->stepNormal_w ),
-		state->stepRise,
+		state->stepLift,
 	};
 }
 
@@ -82,6 +83,18 @@ static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, 
 	return byTime + soleSaturate( soleSqrtF( length2 ) / least ) * ( byWay - byTime );
 }
 
+/// A quadratic B-spline over the share of the way, 0 at both ends, its control points at 0, 1/4, 1/2, 3/4 and 1.
+static float soleLiftAt( const float lift[3], float s )
+{
+	const float controls[7] = { 0.0f, 0.0f, lift[0], lift[1], lift[2], 0.0f, 0.0f };
+	float x = soleClampF( 4.0f * s + 0.5f, 0.0f, 4.999f );
+	int32_t i = (int32_t)x;
+	float t = x - (float)i;
+	float a = 0.5f * ( 1.0f - t ) * ( 1.0f - t );
+	float c = 0.5f * t * t;
+	return a * controls[i] + ( 1.0f - a - c ) * controls[i + 1] + c * controls[i + 2];
+}
+
 /// The plane at a place on the way.
 static solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place )
 {
@@ -90,43 +103,92 @@ static solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* le
 	float smooth = t * t * ( 3.0f - 2.0f * t );
 	soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, smooth );
 	soleVec3 chord = soleLerp( way->from, way->to, s );
-	float height = soleDot( chord, work->up ) + way->rise * ( 4.0f * s * ( 1.0f - s ) );
+	float height = soleDot( chord, work->up ) + soleLiftAt( way->lift, s );
 	height += soleDot( gradient, soleSub( place, chord ) );
 	return soleMakePlane( work, soleAtHeight( work, place, height ), gradient );
 }
 
-/// By how much the way has to be raised so that neither heel nor toes meet what lies between its ends.
-static float soleFindRise( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way )
+/// What a foot on its way must not be lower than: a lift over the chord at a share of the way.
+typedef struct soleClearance
 {
+	float share;
+	float lift;
+} soleClearance;
+
+#define MAX_CLEARANCES ( 3 * SOLE_MAX_PROBES_PER_LEG + 2 )
+
+/// How far the way has to be lifted so that neither heel, ball nor toes meet what lies between its ends.
+static int32_t soleFindClearances(
+    const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleClearance* list )
+{
+	int32_t count = 0;
+	list[count++] = ( soleClearance ){ 0.0f, 0.0f };
+	list[count++] = ( soleClearance ){ 1.0f, 0.0f };
 	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
 	float length = soleLength( d );
-	float rise = 0.0f;
 	if ( length < BY_TIME * leg->length )
 	{
-		return 0.0f;
+		return count;
 	}
 	const float spans[3] = { leg->rig->heelBehind * work->rootScale / length, 0.0f,
 		-leg->rig->toeAhead * work->rootScale / length };
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
-		soleVec3 from = soleSub( sample->place, way->from );
-		float at = soleDot( from, d ) / ( length * length );
+		float at = soleDot( soleSub( sample->place, way->from ), d ) / ( length * length );
 		for ( int32_t k = 0; k < 3 && sample->found; ++k )
 		{
 			float s = at + spans[k];
-			float bump = 4.0f * s * ( 1.0f - s );
-			if ( bump >= MID_FLIGHT )
+			// A foot that flies in parallel to the slope under it.
+			soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
+			float height = soleDot( soleLerp( way->from, way->to, s ), work->up ) - spans[k] * soleDot( gradient, d );
+			if ( s > NEAR_END && s < 1.0f - NEAR_END && sample->height > height )
 			{
-				// A foot that flies in parallel to the slope under it.
-				soleVec3 ball = soleLerp( way->from, way->to, s );
-				soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
-				float height = soleDot( ball, work->up ) - spans[k] * soleDot( gradient, d );
-				rise = soleMaxF( rise, ( sample->height - height ) / bump );
+				list[count++] = ( soleClearance ){ s, sample->height - height };
 			}
 		}
 	}
-	return soleMinF( rise, work->settings->probe.stepUp * leg->length );
+	return count;
+}
+
+/// Height of the upper hull of all clearances at a share.
+static float soleHullAt( const soleClearance* list, int32_t count, float s )
+{
+	float highest = 0.0f;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		for ( int32_t k = 0; k < count; ++k )
+		{
+			if ( list[i].share <= s && list[k].share > s )
+			{
+				float t = ( s - list[i].share ) / ( list[k].share - list[i].share );
+				highest = soleMaxF( highest, list[i].lift + t * ( list[k].lift - list[i].lift ) );
+			}
+		}
+	}
+	return highest;
+}
+
+/// The least lift that clears all: the hull, smoothed, and as much higher as smoothing has lowered it somewhere.
+static void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] )
+{
+	soleClearance list[MAX_CLEARANCES];
+	int32_t count = soleFindClearances( work, leg, way, list );
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		lift[i] = soleHullAt( list, count, 0.25f * (float)( i + 1 ) );
+	}
+	float more = 1.0f;
+	for ( int32_t i = 2; i < count; ++i )
+	{
+		float has = soleLiftAt( lift, list[i].share );
+		more = has > 0.0f ? soleMaxF( more, list[i].lift / has ) : more;
+	}
+	more = soleMinF( more, MOST_MORE );
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		lift[i] = soleMinF( more * lift[i], work->settings->probe.stepUp * leg->length );
+	}
 }
 
 // ----------------------------------------------------------------------------------------------------------- where
@@ -243,8 +305,7 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg )
 	leg->toeSlope = state->toeSlope;
 	if ( settled == false && leg->sampleCount > 0 )
 	{
-		state->stepRise = soleFindRise( work, leg, &way );
-		way.rise = state->stepRise;
+		soleFindLift( work, leg, &way, state->stepLift );
 	}
 	leg->raw = soleFollowWay( work, leg, &way, leg->soleCenter );
 	leg->out->flags |= (uint32_t)sole_legPlanned;
@@ -392,7 +453,7 @@ static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 }
 
 /// Keeps what differs between the last frame's plane and this one's, and lets it decay.
-static void soleInertialise( solePlaceWork* work, soleLegWork* leg, solePlane old )
+static void soleInertialise( solePlaceWork* work, soleLegWork* leg, solePlane old, float oldToe )
 {
 	soleLegState* state = leg->state;
 	if ( work->first == false )
@@ -405,7 +466,11 @@ static void soleInertialise( solePlaceWork* work, soleLegWork* leg, solePlane ol
 		float gradientHalfLife = locked ? s->support.plantedHalfLife : s->support.gradientHalfLife;
 		state->height = soleDecayOffset1( state->height, heightHalfLife, work->timeStep );
 		state->gradient = soleDecayOffset3( state->gradient, gradientHalfLife, work->timeStep );
+		state->toe.value += oldToe - leg->toeSlope;
+		state->toe = soleDecayOffset1( state->toe, s->support.toeHalfLife, work->timeStep );
 	}
+	state->toeSlope = leg->toeSlope;
+	leg->toeSlope += state->toe.value;
 	soleVec3 gradient = soleHorizontal( work, soleAdd( leg->raw.gradient, state->gradient.value ) );
 	leg->plane = soleMakePlane( work, soleMulAdd( leg->raw.point, state->height.value, work->up ), gradient );
 }
@@ -421,6 +486,7 @@ void soleChooseFootholds( solePlaceWork* work )
 		}
 		soleLegState* state = leg->state;
 		solePlane old = soleRememberPlane( work, leg );
+		float oldToe = state->toeSlope;
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
 		soleWay wayBefore = soleRememberWay( work, leg );
 		leg->standBefore = ( state->flags & sole_statePlanned ) != 0 ? soleStandOnWay( leg, &wayBefore )
@@ -438,7 +504,8 @@ void soleChooseFootholds( solePlaceWork* work )
 		leg->stand = leg->planned ? soleStandOnWay( leg, &way ) : soleStandOnPlane( work, leg->soleCenter, leg->raw );
 		state->flags &= ~(uint32_t)sole_stateGround;
 		state->flags |= leg->hasGround ? (uint32_t)sole_stateGround : 0u;
-		soleInertialise( work, leg, old );
+		soleInertialise( work, leg, old, oldToe );
+		leg->out->flags |= leg->hasGround ? 0u : (uint32_t)sole_legNoGround;
 		leg->out->heightDemand = soleDot( leg->plane.point, work->up ) - work->reference;
 	}
 }

@@ -72,14 +72,15 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleVec3_IsFinite( leg->lockPoint_w ) && soleVec3_IsFinite( leg->lockForward_w ) &&
 		    soleVec3_IsFinite( leg->planePoint_w ) && soleVec3_IsFinite( leg->planeNormal_w ) &&
 		    soleVec3_IsFinite( leg->stepPlace_w ) && soleVec3_IsFinite( leg->stepLanding_w ) &&
-		    soleVec3_IsFinite( leg->stepNormal_w ) && soleIsFinite( leg->stepRise ) &&
-		    soleIsFinite( leg->toeSlope + leg->chosenOver ) && soleVec3_IsFinite( leg->slide.value ) &&
-		    soleVec3_IsFinite( leg->slide.velocity ) && soleVec3_IsFinite( leg->gradient.value ) &&
-		    soleVec3_IsFinite( leg->gradient.velocity ) && soleIsFinite( leg->turn.value ) &&
-		    soleIsFinite( leg->turn.velocity ) && soleIsFinite( leg->height.value ) &&
-		    soleIsFinite( leg->height.velocity ) && soleIsFinite( leg->plantWeight ) &&
-		    soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) && soleIsFinite( leg->ballRise ) &&
-		    soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
+		    soleVec3_IsFinite( leg->stepNormal_w ) &&
+		    soleIsFinite( leg->stepLift[0] + leg->stepLift[1] + leg->stepLift[2] ) &&
+		    soleIsFinite( leg->toe.value + leg->toe.velocity ) && soleIsFinite( leg->toeSlope + leg->chosenOver ) &&
+		    soleVec3_IsFinite( leg->slide.value ) && soleVec3_IsFinite( leg->slide.velocity ) &&
+		    soleVec3_IsFinite( leg->gradient.value ) && soleVec3_IsFinite( leg->gradient.velocity ) &&
+		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
+		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
+		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) &&
+		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
 	}
 	return finite;
 }

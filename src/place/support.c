@@ -88,6 +88,5 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 		leg->out->confidence = rest.confidence;
 		leg->out->flags |= rest.onEdge ? (uint32_t)sole_legOnEdge : 0u;
 		leg->out->flags |= rest.steep ? (uint32_t)sole_legTooSteep : 0u;
-		leg->out->flags |= leg->hasGround ? 0u : (uint32_t)sole_legNoGround;
 	}
 }

@@ -35,6 +35,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( support.heightHalfLife, "s", 0, 1, 0.045, "How fast a foot in flight takes up a step of the ground." ),
 	FLOAT( support.gradientHalfLife, "s", 0, 1, 0.05, "How fast a foot in flight takes up a change of slope." ),
 	FLOAT( support.plantedHalfLife, "s", 0, 1, 0.02, "How fast a planted foot takes up what is left of both." ),
+	FLOAT( support.toeHalfLife, "s", 0, 1, 0.04, "How fast the toes take up a change of the ground before them." ),
 	FLOAT( contact.speedOn, "L/s", 0, 20, 0.25, "A sole point slower than this may plant." ),
 	FLOAT( contact.speedOff, "L/s", 0, 40, 0.6, "A sole point faster than this releases." ),
 	FLOAT( contact.heightOn, "L", 0, 1, 0.025, "A sole point lower than this over the clip's floor may plant." ),
