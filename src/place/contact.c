@@ -76,7 +76,8 @@ static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 	                 : soleMinF( heelWas ? heelSince : SETTLED, toeWas ? toeSince : SETTLED );
 	since = told ? soleMinF( soleMaxF( leg->stepInput.since, 0.0f ), work->timeStep ) : since;
 	leg->since = work->first || on == was ? 0.0f : since;
-	leg->letGoSpeed = told ? 0.0f : limits.speedOff;
+	leg->letGoSpeed = told ? limits.speedOn : limits.speedOff;
+	leg->told = told;
 	leg->touches = on;
 	leg->touched = was;
 	// On the first frame speeds are not known: what stands still then is held a little later.

@@ -23,8 +23,8 @@
 #include "place/rest.h"
 
 #define GENTLE 0.5f    // rise per length
-#define MUCH 0.02f     // of cost, for a place elsewhere
-#define LITTLE 0.005f  // for one near by
+#define MUCH 0.02f     // of cost, by which a place has to be better that is
+#define FAR_OFF 0.05f  // L away from the last choice, or further
 #define STEP 0.022f    // L: ground this much higher than was foreseen is another step
 #define CHANGE 0.003f  // L: ground that has moved by more is read anew
 #define FEW 0.34f      // share of the places under a sole
@@ -205,20 +205,20 @@ static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, sole
 	return cost + ( rest.known && rest.steep == false ? 0.0f : UNFIT );
 }
 
-/// The best of some places to either side of another, the nearest first.
-static void soleTryPlaces( const solePlaceWork* work, const soleLegWork* leg, soleVec3 middle, float apart, float gain,
-    soleVec3* best, float* least )
+/// The best of some places to either side of another, the nearest first. One that is to replace the last choice has to
+/// be better by more the further it is from that.
+static void soleTryPlaces( const solePlaceWork* work, const soleLegWork* leg, soleVec3 middle, float apart,
+    soleVec3 last, soleVec3* best, float* least )
 {
-	float limit = *least - gain;
 	for ( int32_t i = 0; i < 2 * SHIFTS + 1; ++i )
 	{
 		// 0, 1, -1, 2, -2 ...
 		float steps = (float)( i % 2 == 1 ? ( i + 1 ) / 2 : -i / 2 );
 		soleVec3 place = soleMulAdd( middle, steps * apart, leg->landingForward );
-		float cost = soleCostOf( work, leg, place );
-		if ( cost < limit )
+		float change = soleLength( soleHorizontal( work, soleSub( place, last ) ) );
+		float cost = soleCostOf( work, leg, place ) + MUCH * soleSaturate( change / ( FAR_OFF * leg->length ) );
+		if ( cost < *least )
 		{
-			limit = cost;
 			*least = cost;
 			*best = place;
 		}
@@ -230,10 +230,11 @@ static soleVec3 soleChoosePlace( const solePlaceWork* work, const soleLegWork* l
 	const soleLegState* state = leg->state;
 	bool planned = ( state->flags & sole_statePlanned ) != 0;
 	float apart = work->settings->foothold.shift * leg->length / (float)SHIFTS;
-	soleVec3 best = planned ? soleSub( state->stepPlace_w, work->root_w ) : leg->landing;
-	float least = soleCostOf( work, leg, best );
-	soleTryPlaces( work, leg, leg->landing, apart, planned ? MUCH : 0.0f, &best, &least );
-	soleTryPlaces( work, leg, best, apart / (float)( SHIFTS + 1 ), LITTLE, &best, &least );
+	soleVec3 last = planned ? soleSub( state->stepPlace_w, work->root_w ) : leg->landing;
+	soleVec3 best = last;
+	float least = soleCostOf( work, leg, last );
+	soleTryPlaces( work, leg, leg->landing, apart, last, &best, &least );
+	soleTryPlaces( work, leg, best, apart / (float)( SHIFTS + 1 ), last, &best, &least );
 	return best;
 }
 

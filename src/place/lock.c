@@ -10,8 +10,6 @@
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
 #include "place/place.h"
 
-#define SETTLED 1e3f // s: longer than any setting
-
 /// The turn about up that takes one heading to another.
 static soleHalf soleHeading( const solePlaceWork* work, soleVec3 from, soleVec3 to )
 {
@@ -95,7 +93,7 @@ static void soleCapture( solePlaceWork* work, soleLegWork* leg )
 		state->flags |= (uint32_t)sole_stateByHeel;
 	}
 	// It was due a little before the end of the frame: held from there on.
-	bool due = state->contactTime < SETTLED;
+	bool due = leg->told == false;
 	leg->since = due ? soleMinF( state->contactTime - work->settings->contact.settle, work->timeStep ) : leg->since;
 	soleVec3 velocity = byHeel ? leg->heelVelocity : leg->ballVelocity;
 	velocity = soleAdd( velocity, state->slide.velocity );
@@ -126,12 +124,14 @@ static void soleRelease( solePlaceWork* work, soleLegWork* leg )
 	// then.
 	soleVec3 velocity = byHeel ? leg->heelVelocity : leg->ballVelocity;
 	float speed = byHeel ? leg->heelSpeed : leg->ballSpeed;
-	soleVec3 then =
-	    speed > leg->letGoSpeed && leg->letGoSpeed > 0.0f ? soleScale( leg->letGoSpeed / speed, velocity ) : velocity;
+	soleVec3 then = speed > leg->letGoSpeed ? soleScale( leg->letGoSpeed / speed, velocity ) : velocity;
+	// What a host calls a lift is slow: the foot may take up the animation's motion at once. Its true speed then is not
+	// known, and a frame's mean would send the foot another way at every frame rate.
+	then = leg->told ? velocity : then;
 	soleVec3 place = soleAnimatedPlace( work, leg );
 	soleVec3 moved = soleScale( 0.5f * leg->since, soleAdd( velocity, then ) );
 	state->slide.value = soleSub( leg->anchorGoal, soleSub( place, moved ) );
-	state->slide.velocity = soleSub( state->slide.velocity, then );
+	state->slide.velocity = leg->told ? soleVec( 0.0f, 0.0f, 0.0f ) : soleSub( state->slide.velocity, then );
 	state->slide = soleDecayOffset3( state->slide, work->settings->contact.releaseHalfLife, leg->since );
 	leg->anchorGoal = soleAdd( place, state->slide.value );
 	soleHalf half = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );

@@ -109,7 +109,8 @@ typedef struct soleLegWork
 	// contact
 	bool touches;     // is in contact, held or not
 	bool touched;     // was so a frame ago
-	float letGoSpeed; // at which a foot is let go; 0: the host said so
+	bool told;        // by the host
+	float letGoSpeed; // at which a foot is let go
 	float since;      // the change of contact happened so long before the end of this frame, s
 
 	// foothold
