@@ -91,8 +91,10 @@ void soleMakeTwoPlates( soleSceneBuilder* builder, double height, uint32_t seed,
 	{
 		soleSceneMotion motion = { .wave = { 0.0f, (float)( side == 0 ? height : -height ), 0.0f }, .waveRate = 0.5 };
 		soleBeginScenePiece( builder, sole_sceneGround, &motion );
-		float near = side == 0 ? 0.01f : -1.0f;
-		soleAddSceneBlock( builder, soleVec( near, -0.2f, -1.0f ), soleVec( near + 0.99f, 0.0f, 1.0f ) );
+		float inner = side == 0 ? -0.002f : -0.006f; // the first one is in the very middle, for roots
+		float outer = side == 0 ? 1.0f : -1.0f;
+		soleAddSceneBlock( builder, soleVec( soleMinF( inner, outer ), -0.2f, -1.0f ),
+		    soleVec( soleMaxF( inner, outer ), 0.0f, 1.0f ) );
 	}
 	ends[0] = -3.0;
 	ends[1] = 3.0;
