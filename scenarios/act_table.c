@@ -153,6 +153,8 @@ static const soleAct s_acts[] = {
 	{ "T29", "stand", sole_gaitIdle, sole_rootFixed, { 0, 0, 0, 0, 0 }, 6, { 0 }, { 0 } },
 	{ "T30", "stand", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 6, { solePlayFall, 3, 1 }, { 0 } },
 	{ "T30", "stand across", sole_gaitIdle, sole_rootStepped, { 0, 0, 90, 0, 0 }, 6, { solePlayFall, 3, 1 }, { 0 } },
+	{ "T30", "tilt", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 2.9, { 0 }, { 0 } },
+	{ "T30", "tilt across", sole_gaitIdle, sole_rootStepped, { 0, 0, 90, 0, 0 }, 2.9, { 0 }, { 0 } },
 
 	// T31: comes into being where nothing is level
 	{ "T11-30", "T31 spawn", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 4, { 0 }, { 0 } },

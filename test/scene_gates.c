@@ -61,6 +61,30 @@ static soleTransform testGetPart( const testBodyPose* body, int32_t leg )
 
 // ------------------------------------------------------------------------------------------------------------ changes
 
+static double testGetClimb( const testRun* run, int32_t frame )
+{
+	bool within = frame > 0 && frame < run->frameCount;
+	return within ? (double)( run->roots[frame].translation.y - run->roots[frame - 1].translation.y ) : 0.0;
+}
+
+/// How far the root goes up at once in a frame: beyond the middle one of what it climbs in five frames around. A body
+/// that shakes on stairs with its root does not change as the input does.
+static float testGetRootStep( const testRun* run, int32_t frame )
+{
+	double climbs[5];
+	for ( int32_t i = 0; i < 5; ++i )
+	{
+		double climb = testGetClimb( run, frame + i - 2 );
+		int32_t k = i;
+		for ( ; k > 0 && climbs[k - 1] > climb; --k )
+		{
+			climbs[k] = climbs[k - 1];
+		}
+		climbs[k] = climb;
+	}
+	return (float)( testGetClimb( run, frame ) - climbs[2] );
+}
+
 /// G4: how much more a foot or the pelvis changes than in the input.
 static void testMeasureChange( testMeter* meter, int32_t frame, int32_t leg )
 {
@@ -68,6 +92,7 @@ static void testMeasureChange( testMeter* meter, int32_t frame, int32_t leg )
 	double frames = fmax( 60.0 * meter->run->steps[frame], 1.0 );
 	soleTransform in[2] = { testGetPart( meter->in, leg ), testGetPart( meter->in + 1, leg ) };
 	soleTransform out[2] = { testGetPart( meter->out, leg ), testGetPart( meter->out + 1, leg ) };
+	in[1].translation.y -= testGetRootStep( meter->run, frame );
 	double move = (double)( soleDistance( out[1].translation, out[0].translation ) -
 	    soleDistance( in[1].translation, in[0].translation ) );
 	double turn = testGetAngle( out[0].rotation, out[1].rotation ) - testGetAngle( in[0].rotation, in[1].rotation );
@@ -163,6 +188,10 @@ static void testMeasureYaw( testMeter* meter, int32_t frame, int32_t leg )
 	soleVec3 foot = soleSub( out->legs[leg].sole[test_ball], out->legs[leg].sole[test_heel] );
 	double across = (double)( ahead.z * foot.x - ahead.x * foot.z );
 	double along = (double)( ahead.x * foot.x + ahead.z * foot.z );
+	if ( foot.y * foot.y > 0.5f * soleDot( foot, foot ) )
+	{
+		return; // points up or down rather than anywhere
+	}
 	double yaw = DEGREES * atan2( leg == 0 ? across : -across, along );
 	testRaise( meter, frame, leg, fmax( yaw - 60.0, -30.0 - yaw ), &meter->gates->yaw );
 }

@@ -27,7 +27,7 @@ static testGround testAskPiece( const testWorld* world, int32_t piece, soleTrans
 	double reach = (double)( roof.hit ? roof.point_w.y - local.y : ROOF );
 	testGround ground = { .piece = piece };
 	ground.gap = soleTerrain_GetGap( world->terrains[piece], local, reach );
-	ground.depth = soleTerrain_GetDepth( world->terrains[piece], local, reach );
+	ground.depth = ground.gap < 0.0 ? soleTerrain_GetDepth( world->terrains[piece], local, reach ) : 0.0;
 	return ground;
 }
 
