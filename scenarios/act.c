@@ -64,7 +64,7 @@ static bool soleIsStill( const soleScene* scene )
 static void soleDraft( const soleAct* act, const soleStage* stage, int32_t take, double time, soleSceneMoment* moment )
 {
 	*moment = ( soleSceneMoment ){
-		.scale = 1.0, .gait = act->gait, .other = act->gait, .stride = act->host.stride, .weight = 1.0
+		.scale = 1.0, .legs = 1.0, .gait = act->gait, .other = act->gait, .stride = act->host.stride, .weight = 1.0
 	};
 	moment->resting = act->course.speed == 0.0 && soleIsStill( stage->scene );
 	soleSetPlace( act, act->course.x, act->course.z, act->course.heading, act->course.speed * time, moment );

@@ -55,6 +55,7 @@ typedef struct soleSceneMoment
 	soleVec3 base;    // root and pose are moved against each other by this: the world pose stays
 	double weight;    // soleFrame.weight
 	double heel;      // of the shoe, m over that of the rig
+	double legs;      // length of their bones as a share of the clip's
 	double origin[3]; // of the world's coordinates
 	bool resting;     // the host does nothing that should be seen in a foot
 	/// Character space to world, with the scale, before base and origin: follows from the above.

@@ -111,6 +111,14 @@ void solePlayScale( const soleAct* act, const soleStage* stage, int32_t take, do
 	moment->resting = time < 1.0 || time > 1.0 + act->special.value;
 }
 
+void solePlayLegs( const soleAct* act, const soleStage* stage, int32_t take, double time, soleSceneMoment* moment )
+{
+	(void)stage;
+	double most = take == 0 ? act->special.value : -act->special.value;
+	moment->legs = 1.0 + most * soleGetEase( time, 1.0, 1.0 );
+	moment->resting = time < 1.0 || time > 2.0;
+}
+
 void solePlayShoes( const soleAct* act, const soleStage* stage, int32_t take, double time, soleSceneMoment* moment )
 {
 	(void)stage;

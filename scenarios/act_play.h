@@ -45,6 +45,7 @@ soleActPlay solePlayTap;       // a foot makes two quick steps from value on
 soleActPlay solePlayNudge;     // feet to and fro sideways by value at 2 Hz
 soleActPlay solePlayFeetIn;    // feet nearer to the middle by value
 soleActPlay solePlayScale;     // take: to half, equal, double size; within value from 1 s on
+soleActPlay solePlayLegs;      // take: legs longer and shorter by that share within 1 s
 soleActPlay solePlayShoes;     // high heels on and off, 0.3 s each
 
 // Lengths of frames, s: act_change.c

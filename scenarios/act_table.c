@@ -197,6 +197,7 @@ static const soleAct s_acts[] = {
 	    { 0 } },
 	{ "T11-20", "T37 scale in 1 s", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 5, { solePlayScale, 1, 3 },
 	    { 0 } },
+	{ "T11-20", "T37 legs", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 4, { solePlayLegs, 0.2, 2 }, { 0 } },
 	{ "T01", "T38 heels", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 6.5, { solePlayShoes, 0.08, 1 }, { 0 } },
 	{ "T11-20", "T38 heels", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 6.5, { solePlayShoes, 0.08, 1 },
 	    { 0 } },

@@ -126,13 +126,20 @@ static void testMoveBody(
 	int32_t parent = character->parents[pelvis];
 	soleVec3 hips = moment->hips;
 	soleTransform goals[2];
+	float longer = (float)( moment->legs - 1.0 );
 	for ( int side = 0; side < 2; ++side )
 	{
 		const soleLegDef* leg = character->rigDef.legs + side;
 		goals[side] = testRaiseHeel( leg, joints, moment->heel );
-		// Who is on heels is taller.
+		// Who is on heels or has longer legs is taller.
+		hips.y += 0.5f * longer * ( joints[leg->joints[0]].translation.y - joints[leg->joints[2]].translation.y );
 		hips.y += 0.5f * ( goals[side].translation.y - testGetBone( joints, leg, 2 )->translation.y );
 		goals[side].translation = soleAdd( goals[side].translation, feet[side] );
+		for ( int bone = 1; bone <= 2; ++bone )
+		{
+			soleTransform* local = pose + leg->joints[bone];
+			local->translation = soleScale( (float)moment->legs, local->translation );
+		}
 	}
 	pose[pelvis].translation = soleAdd( pose[pelvis].translation, soleInvRotate( joints[parent].rotation, hips ) );
 	for ( int side = 0; side < 2; ++side )
@@ -155,7 +162,8 @@ void testMakePose( const testActor* actor, const soleSceneMoment* moment, double
 	toolSampleLooped( character, actor->clips + moment->gait, actor->travels + moment->gait, clipTime, pose, &own );
 	soleVec3 feet[2] = { moment->feet[0], moment->feet[1] };
 	testWarpStride( actor, moment, clipTime, feet );
-	if ( !testIsZero( moment->hips ) || !testIsZero( feet[0] ) || !testIsZero( feet[1] ) || moment->heel != 0.0 )
+	bool sized = moment->heel != 0.0 || moment->legs != 1.0;
+	if ( sized || !testIsZero( moment->hips ) || !testIsZero( feet[0] ) || !testIsZero( feet[1] ) )
 	{
 		testMoveBody( character, moment, feet, pose );
 	}

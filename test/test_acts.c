@@ -210,6 +210,7 @@ static void hostsChangeWhatTheySay( void** state )
 	assert_true( at( "T11-20", "T36 foot jump", 0, 2.0 + 1.0 / 60.0 ).feet[0].y == 0.0f );
 	nearly( at( "T11-20", "T37 scale at once", 2, 1.0 ).scale, 2.0, 1e-9 );
 	nearly( at( "T11-20", "T37 scale in 1 s", 0, 1.5 ).scale, 0.75, 1e-9 );
+	nearly( at( "T11-20", "T37 legs", 1, 3.0 ).legs, 0.8, 1e-9 );
 	nearly( at( "T01", "T38 heels", 0, 3.0 ).heel, 0.08, 1e-9 );
 	assert_true( at( "T01", "T38 heels", 0, 5.0 ).heel == 0.0 );
 	nearly( at( "T16", "T47 corrected, 10 Hz", 0, 3.5 ).x, 0.1, 1e-9 );
