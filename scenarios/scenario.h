@@ -5,10 +5,29 @@
 #ifndef SCENARIOS_SCENARIO_H
 #define SCENARIOS_SCENARIO_H
 
-#include <stdbool.h>
-#include <stdint.h>
+#include "scene_motion.h"
 
 #define SOLE_SCENE_MAX_PATH 32
+#define SOLE_SCENE_MAX_PIECES 8
+
+/// What a piece is there for. A host asks for the layers that it wants.
+enum
+{
+	sole_sceneGround = 1,   // carries feet and roots
+	sole_sceneRootOnly = 2, // not to be seen: carries roots, feet pass through it
+	sole_sceneFeetOnly = 4, // carries feet, roots pass through it
+	sole_sceneLoose = 8,    // things that lie about, other characters: nothing to stand on
+};
+
+/// A part of a scene that moves as a whole.
+typedef struct soleScenePiece
+{
+	int32_t firstTriangle;
+	int32_t triangleCount;
+	int32_t surface; // SOLE_NONE: the still world
+	uint32_t layer;
+	soleSceneMotion motion;
+} soleScenePiece;
 
 typedef struct soleScene
 {
@@ -18,6 +37,9 @@ typedef struct soleScene
 	float* positions; // 3 a vertex
 	int32_t triangleCount;
 	uint32_t* indices; // 3 a triangle
+	/// The first is the still world. Triangles are given where they are at time 0, or would be if they were there.
+	int32_t pieceCount;
+	soleScenePiece pieces[SOLE_SCENE_MAX_PIECES];
 	/// A way for a walking character: x, z of its corners, at least 0.7 inside the ground.
 	int32_t pathCount;
 	float path[SOLE_SCENE_MAX_PATH][2];
@@ -28,6 +50,12 @@ typedef struct soleScene
 /// @return false for an unknown id or without memory. The scene is then empty.
 bool soleMakeScene( const char* id, soleScene* scene );
 void soleFreeScene( soleScene* scene );
+
+/// Where a piece is at a time. @param fromStart takes where it is at time 0 to where it is now
+/// @return false where it is not there
+bool soleGetScenePiece( const soleScene* scene, int32_t piece, double time, soleTransform* fromStart );
+/// How it moves then: velocity of the place fromStart.translation and spin, rad/s.
+void soleGetScenePieceSpeed( const soleScene* scene, int32_t piece, double time, soleVec3* velocity, soleVec3* spin );
 
 /// All ids, in the order in which they should be shown.
 const char* const* soleGetSceneIds( int32_t* count );

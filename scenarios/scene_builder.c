@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lofts and boxes, as closed meshes with shared corners. World space.
+// Lofts, as closed meshes with shared corners, and the pieces that meshes belong to. World space.
 //
 // Neighbouring chains of points are zipped: from their first points on, the chain whose next point comes first along
 // the zip's axis goes one further and closes a triangle. Two rows zip along x, the two ends of a side wall's column
@@ -38,7 +38,7 @@ static bool soleGrow( soleSceneBuilder* builder, void* array, int32_t count, int
 	return true;
 }
 
-static uint32_t soleAddPoint( soleSceneBuilder* builder, double x, double y, double z )
+uint32_t soleAddScenePoint( soleSceneBuilder* builder, double x, double y, double z )
 {
 	if ( !soleGrow(
 	         builder, &builder->positions, builder->vertexCount, &builder->vertexCapacity, 3 * sizeof( float ) ) )
@@ -53,7 +53,7 @@ static uint32_t soleAddPoint( soleSceneBuilder* builder, double x, double y, dou
 	return (uint32_t)( builder->vertexCount - 1 );
 }
 
-static void soleAddTriangle( soleSceneBuilder* builder, uint32_t a, uint32_t b, uint32_t c )
+void soleAddSceneTriangle( soleSceneBuilder* builder, uint32_t a, uint32_t b, uint32_t c )
 {
 	if ( !soleGrow(
 	         builder, &builder->indices, builder->triangleCount, &builder->triangleCapacity, 3 * sizeof( uint32_t ) ) )
@@ -87,9 +87,36 @@ static void soleZip( soleSceneBuilder* builder, const soleSceneChain* from, cons
 			goFrom = nextFrom <= nextTo;
 		}
 		uint32_t next = goFrom ? from->points[i + 1] : to->points[k + 1];
-		soleAddTriangle( builder, from->points[i], to->points[k], next );
+		soleAddSceneTriangle( builder, from->points[i], to->points[k], next );
 		i += goFrom ? 1 : 0;
 		k += goFrom ? 0 : 1;
+	}
+}
+
+void soleBeginScenePiece( soleSceneBuilder* builder, uint32_t layer, const soleSceneMotion* motion )
+{
+	if ( builder->pieceCount == SOLE_SCENE_MAX_PIECES )
+	{
+		builder->failed = true;
+		return;
+	}
+	soleScenePiece* piece = builder->pieces + builder->pieceCount;
+	*piece = ( soleScenePiece ){ .firstTriangle = builder->triangleCount, .layer = layer };
+	piece->surface = builder->pieceCount == 0 ? SOLE_NONE : builder->pieceCount;
+	if ( motion != NULL )
+	{
+		piece->motion = *motion;
+	}
+	builder->pieceCount += 1;
+}
+
+void soleEndScenePieces( soleSceneBuilder* builder )
+{
+	int32_t end = builder->triangleCount;
+	for ( int32_t i = builder->pieceCount - 1; i >= 0; --i )
+	{
+		builder->pieces[i].triangleCount = end - builder->pieces[i].firstTriangle;
+		end = builder->pieces[i].firstTriangle;
 	}
 }
 
@@ -117,7 +144,7 @@ void soleAddSceneRow( soleSceneBuilder* builder, double z, const double* x, cons
 	*row = ( soleSceneRow ){ (float)z, (uint32_t)builder->vertexCount, count };
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		soleAddPoint( builder, x[i], y[i], z );
+		soleAddScenePoint( builder, x[i], y[i], z );
 	}
 	builder->rowCount += 1;
 	if ( builder->rowCount > 1 )
@@ -172,7 +199,7 @@ static soleSceneChain soleAddBottomPoints( soleSceneBuilder* builder, const sole
 	for ( int end = 0; end < 2 && builder->failed == false; ++end )
 	{
 		float x = builder->positions[3 * soleGetRowEnd( row, end == 1 )];
-		chain.points[end] = soleAddPoint( builder, (double)x, bottom, (double)row->z );
+		chain.points[end] = soleAddScenePoint( builder, (double)x, bottom, (double)row->z );
 	}
 	return chain;
 }
@@ -211,23 +238,4 @@ void soleCloseSceneLoft( soleSceneBuilder* builder, double bottom )
 	top = soleGetRowChain( last );
 	soleZip( builder, &top, &low, 0 );
 	builder->rowCount = 0;
-}
-
-void soleAddSceneBox( soleSceneBuilder* builder, soleVec3 middle, soleVec3 half, soleQuat turn )
-{
-	static const uint8_t faces[12][3] = { { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 }, { 0, 1, 5 }, { 0, 5, 4 },
-		{ 2, 6, 7 }, { 2, 7, 3 }, { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 } };
-	uint32_t first = (uint32_t)builder->vertexCount;
-	for ( int i = 0; i < 8; ++i )
-	{
-		// Bit 0: x, bit 1: y, bit 2: z.
-		soleVec3 corner = { ( i & 1 ) != 0 ? half.x : -half.x, ( i & 2 ) != 0 ? half.y : -half.y,
-			( i & 4 ) != 0 ? half.z : -half.z };
-		soleVec3 p = soleAdd( middle, soleRotate( turn, corner ) );
-		soleAddPoint( builder, (double)p.x, (double)p.y, (double)p.z );
-	}
-	for ( int i = 0; i < 12; ++i )
-	{
-		soleAddTriangle( builder, first + faces[i][0], first + faces[i][1], first + faces[i][2] );
-	}
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What scenes are made of: lofts (rows of points, one after another along +Z, closed by walls and a bottom), profiles
-// (lofts walked by a cursor) and boxes. Running out of memory is remembered and told at the end.
+// (lofts walked by a cursor), boxes, prisms and pipes. Running out of memory is remembered and told at the end.
 #ifndef SCENARIOS_SCENE_BUILDER_H
 #define SCENARIOS_SCENE_BUILDER_H
 
-#include "sole/math.h"
+#include "scenario.h"
 
 #define SOLE_SCENE_MAX_ROW 160
 
@@ -34,10 +34,21 @@ typedef struct soleSceneBuilder
 	soleSceneRow* rows; // of the loft in the making
 	int32_t rowCount;
 	int32_t rowCapacity;
+	soleScenePiece pieces[SOLE_SCENE_MAX_PIECES];
+	int32_t pieceCount;
 	bool failed;
 } soleSceneBuilder;
 
 void soleFreeSceneBuilder( soleSceneBuilder* builder );
+
+/// What is added from here on is a piece of its own. @param motion NULL: stands still
+void soleBeginScenePiece( soleSceneBuilder* builder, uint32_t layer, const soleSceneMotion* motion );
+/// Counts the triangles of all pieces.
+void soleEndScenePieces( soleSceneBuilder* builder );
+
+uint32_t soleAddScenePoint( soleSceneBuilder* builder, double x, double y, double z );
+/// Counter clockwise seen from outside.
+void soleAddSceneTriangle( soleSceneBuilder* builder, uint32_t a, uint32_t b, uint32_t c );
 
 /// The next row of a loft: count points with x rising and the same outermost x in all rows. z rises from row to row or
 /// stays, which makes a wall. A third row at the same z is not allowed.
@@ -47,6 +58,15 @@ void soleCloseSceneLoft( soleSceneBuilder* builder, double bottom );
 
 /// A box by its middle, half its size and its turn.
 void soleAddSceneBox( soleSceneBuilder* builder, soleVec3 middle, soleVec3 half, soleQuat turn );
+/// A box along the axes, by its corners.
+void soleAddSceneBlock( soleSceneBuilder* builder, soleVec3 low, soleVec3 high );
+/// A convex outline pulled along z. x, y of its corners, counter clockwise seen from +z.
+void soleAddScenePrism(
+    soleSceneBuilder* builder, const double ( *outline )[2], int32_t count, double from, double to );
+/// An upright column of many sides.
+void soleAddSceneColumn( soleSceneBuilder* builder, soleVec3 foot, double radius, double height );
+/// A pipe along z, open at both ends, its middle at x = 0 and a height.
+void soleAddScenePipe( soleSceneBuilder* builder, double height, double inner, double outer, double from, double to );
 
 /// Where a profile has got to. Rows have a point in the middle, so that heights along x = 0 are exact.
 typedef struct soleSceneCursor

@@ -136,7 +136,7 @@ static float lowestVertex( const soleTransform* pose )
 	return lowest;
 }
 
-static void measureClip( const char* name, float speed )
+static void measureClip( const char* name, soleVec3 velocity )
 {
 	const toolClip* clip = findClip( name );
 	s_sampleCount = STEPS_A_KEY * ( clip->channels[0].keyCount - 1 ) + 1;
@@ -148,8 +148,8 @@ static void measureClip( const char* name, float speed )
 		float time = s_step * (float)i;
 		samplePose( clip, time, pose );
 		Sample* sample = s_samples + i;
-		measureLeg( pose, 0, soleVec( 0, 0, speed * time ), sample );
-		measureLeg( pose, 1, soleVec( 0, 0, speed * time ), sample );
+		measureLeg( pose, 0, soleScale( time, velocity ), sample );
+		measureLeg( pose, 1, soleScale( time, velocity ), sample );
 		sample->lowest = lowestVertex( pose );
 	}
 }
@@ -182,9 +182,9 @@ static float largestDrift( size_t offset )
 	return largest;
 }
 
-static void checkFeet( const char* name, float speed, float drift )
+static void checkFeet( const char* name, soleVec3 velocity, float drift )
 {
-	measureClip( name, speed );
+	measureClip( name, velocity );
 	float heel = largestDrift( offsetof( Sample, heel ) );
 	float ball = largestDrift( offsetof( Sample, ball ) );
 	float tip = largestDrift( offsetof( Sample, tip ) );
@@ -312,7 +312,7 @@ static void testSoleIsFlat( void** state )
 static void testClips( void** state )
 {
 	(void)state;
-	assert_int_equal( s_model.clipCount, 5 );
+	assert_int_equal( s_model.clipCount, 8 );
 	for ( int32_t i = 0; i < s_model.clipCount; ++i )
 	{
 		const toolClip* clip = s_model.clips + i;
@@ -364,7 +364,7 @@ static void testLoopsWithoutAJump( void** state )
 static void testWalk( void** state )
 {
 	(void)state;
-	checkFeet( "walk", 1.3f, 0.0025f );
+	checkFeet( "walk", soleVec( 0.0f, 0.0f, 1.3f ), 0.0025f );
 	float peak = 0.0f;
 	float loading = 0.0f;
 	float clearance = 1.0f;
@@ -389,7 +389,7 @@ static void testWalk( void** state )
 static void testRun( void** state )
 {
 	(void)state;
-	checkFeet( "run", 3.3f, 0.0015f );
+	checkFeet( "run", soleVec( 0.0f, 0.0f, 3.3f ), 0.0015f );
 	float peak = 0.0f;
 	float stance = 0.0f;
 	int32_t flight = 0;
@@ -416,10 +416,10 @@ static void testStanceSpeed( void** state )
 	{
 		const char* name;
 		float speed;
-	} s_cases[] = { { "walk", 1.3f }, { "run", 3.3f }, { "walk_root", 0.0f } };
+	} s_cases[] = { { "walk", 1.3f }, { "run", 3.3f }, { "walk_root", 0.0f }, { "crouch_walk", 0.8f } };
 	for ( size_t i = 0; i < sizeof s_cases / sizeof s_cases[0]; ++i )
 	{
-		measureClip( s_cases[i].name, 0.0f );
+		measureClip( s_cases[i].name, soleVec( 0.0f, 0.0f, 0.0f ) );
 		// The toe is on the floor from 12 to 24 % of either stride at least.
 		int32_t from = ( s_sampleCount - 1 ) * 12 / 100;
 		int32_t to = ( s_sampleCount - 1 ) * 24 / 100;
@@ -435,7 +435,7 @@ static void testStanceSpeed( void** state )
 static void testIdleStandsStill( void** state )
 {
 	(void)state;
-	checkFeet( "idle", 0.0f, 0.0003f );
+	checkFeet( "idle", soleVec( 0.0f, 0.0f, 0.0f ), 0.0003f );
 	for ( int32_t i = 0; i < s_sampleCount; ++i )
 	{
 		for ( int side = 0; side < 2; ++side )
@@ -446,10 +446,50 @@ static void testIdleStandsStill( void** state )
 	}
 }
 
+static void testCrouch( void** state )
+{
+	(void)state;
+	checkFeet( "crouch", soleVec( 0.0f, 0.0f, 0.0f ), 0.0003f );
+	for ( int32_t i = 0; i < s_sampleCount; ++i )
+	{
+		for ( int side = 0; side < 2; ++side )
+		{
+			assert_true( s_samples[i].knee[side] > 90.0f && s_samples[i].knee[side] < 125.0f );
+			assert_true( s_samples[i].heel[side].y < 0.0005f && s_samples[i].tip[side].y < 0.0005f );
+		}
+	}
+	checkFeet( "crouch_walk", soleVec( 0.0f, 0.0f, 0.8f ), 0.0025f );
+	for ( int32_t i = 0; i < s_sampleCount; ++i )
+	{
+		assert_true( s_samples[i].knee[0] > 45.0f && s_samples[i].knee[0] < 125.0f );
+	}
+}
+
+/// To the left, one foot always down, feet never nearer than a shoe is wide.
+static void testStrafe( void** state )
+{
+	(void)state;
+	checkFeet( "strafe", soleVec( 0.3f, 0.0f, 0.0f ), 0.0010f );
+	float nearest = 1.0f;
+	float highest = 0.0f;
+	for ( int32_t i = 0; i < s_sampleCount; ++i )
+	{
+		const Sample* sample = s_samples + i;
+		assert_true( soleMinF( footLowest( sample, 0 ), footLowest( sample, 1 ) ) < 0.001f );
+		nearest = soleMinF( nearest, sample->heel[0].x - sample->heel[1].x );
+		highest = soleMaxF( highest, footLowest( sample, 0 ) );
+	}
+	print_message( "strafe: heels %.0f mm apart at least, feet up to %.0f mm high\n", 1e3 * (double)nearest,
+	    1e3 * (double)highest );
+	assert_true( nearest > 0.11f );
+	assert_true( highest > 0.015f );
+	assert_float_equal( s_samples[s_sampleCount - 1].ball[0].x - s_samples[0].ball[0].x, 0.3f, 1e-4f );
+}
+
 static void testTurn( void** state )
 {
 	(void)state;
-	checkFeet( "turn", 0.0f, 0.0015f );
+	checkFeet( "turn", soleVec( 0.0f, 0.0f, 0.0f ), 0.0015f );
 	const toolChannel* root = findClip( "turn" )->channels;
 	const float* last = root->values + 4 * ( root->keyCount - 1 );
 	assert_int_equal( root->node, findNode( "root" ) );
@@ -471,10 +511,11 @@ static void testKneesAreSmooth( void** state )
 	{
 		const char* name;
 		float limit;
-	} s_cases[] = { { "idle", 5.0f }, { "walk", 260.0f }, { "run", 800.0f }, { "turn", 120.0f } };
+	} s_cases[] = { { "idle", 5.0f }, { "walk", 260.0f }, { "run", 800.0f }, { "turn", 120.0f }, { "strafe", 120.0f },
+		{ "crouch", 5.0f }, { "crouch_walk", 260.0f } };
 	for ( size_t i = 0; i < sizeof s_cases / sizeof s_cases[0]; ++i )
 	{
-		measureClip( s_cases[i].name, 0.0f );
+		measureClip( s_cases[i].name, soleVec( 0.0f, 0.0f, 0.0f ) );
 		float key = s_step * STEPS_A_KEY;
 		float largest = 0.0f;
 		for ( int32_t k = STEPS_A_KEY; k + STEPS_A_KEY < s_sampleCount; k += STEPS_A_KEY )
@@ -501,6 +542,8 @@ int main( void )
 		cmocka_unit_test( testRun ),
 		cmocka_unit_test( testStanceSpeed ),
 		cmocka_unit_test( testIdleStandsStill ),
+		cmocka_unit_test( testCrouch ),
+		cmocka_unit_test( testStrafe ),
 		cmocka_unit_test( testTurn ),
 		cmocka_unit_test( testKneesAreSmooth ),
 	};

@@ -2,6 +2,7 @@
 // Every scene is a closed solid that can be walked, with the measures that it is named for.
 #include "ground_support.h"
 #include "scenario.h"
+#include "source.h"
 
 static const soleVec3 down = { 0.0f, -1.0f, 0.0f };
 
@@ -32,7 +33,7 @@ static void withEveryScene( void ( *check )( const soleScene* scene ) )
 {
 	int32_t count;
 	const char* const* ids = soleGetSceneIds( &count );
-	assert_true( count >= 16 );
+	assert_true( count >= 46 );
 	for ( int32_t i = 0; i < count; ++i )
 	{
 		soleScene scene;
@@ -225,6 +226,148 @@ static void stairsHaveTheirStepsUpAndDown( void** state )
 	EXPECT_HEIGHTS( "T08", { 0, -0.01f, 0 }, { 0, 0.01f, 0.15f }, { 2, 1.99f, 0.15f }, { 0, 2.01f, 0 } );
 }
 
+static void obstaclesHaveTheirSizes( void** state )
+{
+	(void)state;
+	EXPECT_HEIGHTS( "T04", { 5.9f, 2.01f, 0.17f }, { -5.9f, 5.2f, 12 * 0.17f }, { 0, 9.88f, 0 } );
+	EXPECT_HEIGHTS( "T07", { 0, 1.9f, 0 }, { 0.9f, 2.01f, 0.17f }, { 0, 2.23f, 0.17f }, { 0, 2.25f, 0 },
+	    { 0, 2.28f, 0 }, { 0, 2.30f, 0.34f }, { 1.1f, 2.30f, 0 }, { 0, 5.2f, 12 * 0.17f } );
+	EXPECT_HEIGHTS( "T09", { 0, 1.99f, 0 }, { 0, 2.05f, 0.10f }, { 1, 2.11f, 0 }, { -1, 8.35f, 0.10f } );
+	EXPECT_HEIGHTS( "T10", { 0, 2.49f, 0 }, { 0, 2.55f, -2 }, { 0, 2.61f, 0 }, { 1, 5.2f, -2 }, { 0, 5.31f, 0 },
+	    { 0, 7.9f, -2 }, { 0, 8.14f, -2 }, { 0, 8.16f, 0 } );
+	EXPECT_HEIGHTS( "T13", { 0.49f, 1, 0 }, { 0.51f, 1, -1.5f }, { -0.4f, 4, 2 * 0.36397023f },
+	    { 0, 8, 5 * 0.36397023f }, { -0.51f, 8, -1.5f } );
+	EXPECT_HEIGHTS(
+	    "T15-60", { 0, 5, 0.05f * 1.7320508f }, { 0.025f, 5, 0.025f * 1.7320508f }, { 0.051f, 5, 0 }, { 0, 1.9f, 0 } );
+	EXPECT_HEIGHTS( "T15-75", { -0.025f, 5, 0.025f * 3.7320508f } );
+	EXPECT_HEIGHTS( "T18", { 0.105f, 0, 0 }, { 1.105f, 1, -0.06992681f }, { -0.895f, -1, -0.06992681f } );
+	EXPECT_HEIGHTS( "T24", { 0, 1.99f, 0 }, { 0, 2.01f, -3 } );
+	EXPECT_HEIGHTS( "T25-12", { 0.059f, 3, 1 }, { 0.061f, 3, 0 }, { 0, 0.9f, 0 }, { 0, 6.99f, 1 } );
+	EXPECT_HEIGHTS( "T25-20", { -0.099f, 3, 1 }, { -0.101f, 3, 0 } );
+	EXPECT_HEIGHTS( "T26-17", { 0, 0.01f, 0.17f }, { 0, -0.01f, 0 } );
+	EXPECT_HEIGHTS( "T26-50", { 0, 0.01f, 0.5f }, { 0, -0.01f, 0 } );
+	EXPECT_HEIGHTS( "T34", { 3, 6, 4 * TAN_12 } );
+}
+
+static float lookDown( const soleGround* ground, float x, float y, float z )
+{
+	soleHit hit = testCast( ground, soleVec( x, y, z ), down, 10.0f, 0.0f );
+	assert_true( hit.hit );
+	return hit.point_w.y;
+}
+
+static void roofsHaveSpaceBelow( void** state )
+{
+	(void)state;
+	soleScene scene;
+	makeScene( "T21", &scene );
+	soleGround* ground = makeSceneGround( &scene );
+	assert_float_equal( lookDown( ground, 0.0f, 2.0f, 4.0f ), 0.80f, 1e-5f );
+	assert_float_equal( lookDown( ground, 0.0f, 0.7f, 4.0f ), 0.05f, 1e-5f );
+	assert_float_equal( lookDown( ground, 0.0f, 0.7f, 1.9f ), 0.0f, 1e-5f );
+	assert_float_equal( lookDown( ground, 0.2f, 0.4f, 5.9f ), 0.40f - sqrtf( 0.35f * 0.35f - 0.04f ), 1e-3f );
+	// The roof is met from below, on its way up.
+	soleHit hit = testCast( ground, soleVec( 0.0f, 0.4f, 4.0f ), soleVec( 0.0f, 1.0f, 0.0f ), 5.0f, 0.0f );
+	assert_true( hit.hit );
+	assert_float_equal( hit.point_w.y, 0.75f, 1e-5f );
+	soleDestroyGround( ground );
+	soleFreeScene( &scene );
+	makeScene( "T22", &scene );
+	ground = makeSceneGround( &scene );
+	assert_float_equal( lookDown( ground, 0.5f, 2.0f, 3.2f ), 0.45f, 1e-5f );
+	assert_float_equal( lookDown( ground, 0.5f, 0.39f, 3.2f ), 0.0f, 1e-5f );
+	assert_float_equal( lookDown( ground, 0.5f, 2.0f, 6.0f ), 1.0f, 1e-5f );
+	assert_float_equal( lookDown( ground, 0.5f, 0.89f, 6.0f ), 0.0f, 1e-5f );
+	soleDestroyGround( ground );
+	soleFreeScene( &scene );
+}
+
+static void checkPieces( const soleScene* scene )
+{
+	int32_t next = 0;
+	assert_true( scene->pieceCount >= 1 && scene->pieceCount <= SOLE_SCENE_MAX_PIECES );
+	for ( int32_t i = 0; i < scene->pieceCount; ++i )
+	{
+		const soleScenePiece* piece = scene->pieces + i;
+		assert_int_equal( piece->firstTriangle, next );
+		assert_true( piece->triangleCount > 0 );
+		assert_int_equal( piece->surface, i == 0 ? SOLE_NONE : i );
+		assert_int_not_equal( piece->layer, 0 );
+		next += piece->triangleCount;
+		soleTransform place;
+		soleGetScenePiece( scene, i, 0.0, &place );
+		testNear3( place.translation, soleVec( 0.0f, 0.0f, 0.0f ), 0.0f );
+		assert_true( place.rotation.w == 1.0f );
+		for ( int k = 0; k < 200; ++k )
+		{
+			// Speeds are those of the motion, but where it stops dead.
+			double time = 0.0505 + 0.05 * k;
+			double step = 1.0 / 256.0;
+			soleTransform before;
+			soleTransform after;
+			soleVec3 velocity;
+			soleVec3 spin;
+			assert_int_equal( soleGetScenePiece( scene, i, time, &place ),
+			    time >= piece->motion.from && ( piece->motion.until <= 0.0 || time < piece->motion.until ) );
+			soleGetScenePiece( scene, i, time - step, &before );
+			soleGetScenePiece( scene, i, time + step, &after );
+			soleGetScenePieceSpeed( scene, i, time, &velocity, &spin );
+			float perSecond = (float)( 0.5 / step );
+			bool stops = fabs( time - piece->motion.stopTime ) <= step;
+			soleVec3 moved = soleScale( perSecond, soleSub( after.translation, before.translation ) );
+			soleQuat turned = soleMulQuat( after.rotation, soleConjugate( before.rotation ) );
+			soleVec3 turn = soleScale( 2.0f * perSecond, soleVec( turned.x, turned.y, turned.z ) );
+			testNear3( moved, stops ? moved : velocity, 2e-3f );
+			testNear3( turn, spin, 2e-3f );
+		}
+	}
+	assert_int_equal( next, scene->triangleCount );
+}
+
+static void piecesAreAllOfASceneAndMoveAtTheirSpeeds( void** state )
+{
+	(void)state;
+	withEveryScene( checkPieces );
+}
+
+/// Where a point of a piece is at a time.
+static soleVec3 carry( const char* id, int32_t piece, double time, soleVec3 point )
+{
+	soleScene scene;
+	makeScene( id, &scene );
+	soleTransform place;
+	soleGetScenePiece( &scene, piece, time, &place );
+	soleFreeScene( &scene );
+	return soleTransformPoint( place, point );
+}
+
+static void piecesMoveAsTheyShould( void** state )
+{
+	(void)state;
+	const soleVec3 origin = { 0.0f, 0.0f, 0.0f };
+	testNear3( carry( "T27-lift", 1, 1.0, origin ), soleVec( 0.0f, 0.5f, 0.0f ), 1e-5f );
+	testNear3( carry( "T27-lift", 1, 3.0, origin ), soleVec( 0.0f, -0.5f, 0.0f ), 1e-5f );
+	testNear3( carry( "T27-slide", 1, 1.5, origin ), soleVec( 0.0f, 0.0f, 3.0f ), 1e-5f );
+	testNear3( carry( "T27-slide", 1, 7.0, origin ), soleVec( 0.0f, 0.0f, 4.0f ), 1e-5f );
+	testNear3( carry( "T27-both", 1, 5.0, origin ), soleVec( 0.0f, 0.5f, 4.0f ), 1e-5f );
+	// A quarter to the left, about its own middle, after 2 s.
+	testNear3( carry( "T28", 1, 2.0, soleVec( 0.13f, 0.0f, 0.16f ) ), soleVec( 0.23f, 0.0f, 0.06f ), 1e-5f );
+	testNear3( carry( "T29", 1, 0.5, origin ), soleVec( 0.0f, 0.15f, 0.0f ), 1e-5f );
+	testNear3( carry( "T29", 2, 0.5, origin ), soleVec( 0.0f, -0.15f, 0.0f ), 1e-5f );
+	testNear3( carry( "T30", 1, 0.5, soleVec( 0.0f, 0.0f, 1.0f ) ), soleVec( 0.0f, -0.25881905f, 0.96592583f ), 1e-5f );
+	testNear3( carry( "T19", 2, 3.0, origin ), soleVec( 0.0f, 0.0f, 0.3f ), 1e-5f );
+	soleScene scene;
+	soleTransform place;
+	makeScene( "T23-15", &scene );
+	assert_false( soleGetScenePiece( &scene, 1, 1.99, &place ) );
+	assert_true( soleGetScenePiece( &scene, 1, 2.0, &place ) );
+	soleFreeScene( &scene );
+	makeScene( "T30", &scene );
+	assert_true( soleGetScenePiece( &scene, 1, 2.99, &place ) );
+	assert_false( soleGetScenePiece( &scene, 1, 3.0, &place ) );
+	soleFreeScene( &scene );
+}
+
 static void theCourseHasAllItsPieces( void** state )
 {
 	(void)state;
@@ -294,6 +437,23 @@ static void aSceneIsTheSameEveryTime( void** state )
 	}
 }
 
+static void samplesShowWhatIsThereAtTimeZero( void** state )
+{
+	(void)state;
+	const struct
+	{
+		const char* id;
+		int32_t triangles;
+	} cases[] = { { "T23-15", 12 }, { "T20-low", 12 }, { "T30", 24 }, { "T25-12", 24 } };
+	for ( size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i )
+	{
+		toolGroundSource source;
+		assert_true( toolOpenEmbeddedGround( cases[i].id, &source ) );
+		assert_int_equal( source.mesh.triangleCount, cases[i].triangles );
+		toolCloseGround( &source );
+	}
+}
+
 static void unknownScenesAreRefused( void** state )
 {
 	(void)state;
@@ -319,9 +479,14 @@ int main( void )
 		cmocka_unit_test( thereIsGroundAllAlongThePath ),
 		cmocka_unit_test( rampsHaveTheirHeights ),
 		cmocka_unit_test( stairsHaveTheirStepsUpAndDown ),
+		cmocka_unit_test( obstaclesHaveTheirSizes ),
+		cmocka_unit_test( roofsHaveSpaceBelow ),
+		cmocka_unit_test( piecesAreAllOfASceneAndMoveAtTheirSpeeds ),
+		cmocka_unit_test( piecesMoveAsTheyShould ),
 		cmocka_unit_test( theCourseHasAllItsPieces ),
 		cmocka_unit_test( rubbleIsRoughWithinItsAmplitudesAndFadesOut ),
 		cmocka_unit_test( aSceneIsTheSameEveryTime ),
+		cmocka_unit_test( samplesShowWhatIsThereAtTimeZero ),
 		cmocka_unit_test( unknownScenesAreRefused ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );

@@ -16,7 +16,7 @@ static const char toolHelp[] = "usage: sole sample NAME -o FILE.glb\n"
 
 static void toolListSamples( void )
 {
-	puts( "mannequin    a skinned figure with clips: idle, walk, run, turn" );
+	puts( "mannequin    a skinned figure with clips: idle, walk, run, turn, strafe, crouch" );
 	int32_t count;
 	const char* const* ids = soleGetSceneIds( &count );
 	for ( int32_t i = 0; i < count; ++i )

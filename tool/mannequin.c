@@ -241,6 +241,9 @@ static void toolMakeClips( toolModel* model )
 		{ "run", toolPoseRun, tool_runFrames, 120, false, false },
 		{ "turn", toolPoseTurn, tool_turnFrames, 60, false, true },
 		{ "walk_root", toolPoseWalkRoot, tool_walkFrames, 60, true, false },
+		{ "strafe", toolPoseStrafe, tool_strafeFrames, 60, false, false },
+		{ "crouch", toolPoseCrouch, tool_idleFrames, 60, false, false },
+		{ "crouch_walk", toolPoseCrouchWalk, tool_walkFrames, 60, false, false },
 	};
 	model->clipCount = (int32_t)( sizeof s_clips / sizeof s_clips[0] );
 	model->clips = toolAlloc( (size_t)model->clipCount, sizeof( toolClip ) );

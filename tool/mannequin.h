@@ -13,6 +13,9 @@
 ///   run        in place, looped; the stance feet pretend 3.3 m/s
 ///   turn       90 degrees to the left on the spot, by the root's rotation; the pose is looped, the root is not
 ///   walk_root  the walk with its travel in the root
+///   strafe     sidesteps to the left, in place, looped; the stance feet pretend 0.3 m/s
+///   crouch     4 s, looped, both feet stand still, the hips 0.35 lower than in idle
+///   crouch_walk  in place, looped, hips low; the stance feet pretend 0.8 m/s
 void toolMakeMannequin( toolModel* model );
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Walk and run of the mannequin: foot paths, pelvis, trunk and arms over one stride. Root space, in place; phase 0 is
-// the left foot's touch-down.
+// Walk, run and low walk of the mannequin: foot paths, pelvis, trunk and arms over one stride. Root space, in place;
+// phase 0 is the left foot's touch-down.
 //
 // The feet come first, the legs are solved to reach them. In stance a foot rolls over three fixed places, the rockers
 // of J. Perry and J. Burnfield, "Gait Analysis", 2nd ed. 2010: over the heel's edge until it lies flat, about the toe
@@ -118,6 +118,38 @@ static const toolGait s_run = {
 	.elbow = { 88.0, 12.0, 0.52, 0, 0 },
 	.armOut = 13.0,
 	.armInward = 28.0,
+};
+
+// Low: the knees stay bent, steps are short, the heel rises late and little, the trunk leans over the feet.
+static const toolGait s_crouchWalk = {
+	.duration = tool_walkFrames / 60.0,
+	.speed = 0.8,
+	.lead = 0.185,
+	.halfStep = 0.075,
+	.toeOut = 10.0,
+	.tipRoll = 0.50,
+	.lift = 0.615,
+	.liftToe = -22.0,
+	.liftRate = -300.0,
+	.pitchCount = 11,
+	.pitch = { 0.32, 0, 0.40, -4, 0.48, -14, 0.56, -34, 0.615, -48, 0.66, -52, 0.74, -34, 0.83, -6, 0.91, 10, 1.0, 12,
+	    1.085, 0 },
+	.toeHeight = { 0.22, 0.098, 0.5, 0.085, 0.8, 0.100 },
+	.toeAhead = { 0.25, 0.17, 0.5, 0.525, 0.75, 0.87 },
+	.circle = 0.015,
+	.hipsUp = { -0.30, 0, 0, 0.010, 0.29 },
+	.hipsSide = { 0, 0.022, 0.31, 0, 0 },
+	.hipsAhead = { -0.05, 0, 0, 0.006, 0.20 },
+	.list = { 0, 3.0, 0.16, 0, 0 },
+	.yaw = { 0, -4.0, 0.0, 0, 0 },
+	.tilt = { 18.0, 0, 0, 1.0, 0.05 },
+	.trunkTilt = { 30.0, 0, 0, 1.0, 0.06 },
+	.trunkList = { 0, -1.0, 0.2, 0, 0 },
+	.trunkYaw = { 0, 4.0, 0.02, 0, 0 },
+	.arm = { 10.0, 14.0, 0.52, 0, 0 },
+	.elbow = { 45.0, 8.0, 0.56, 0, 0 },
+	.armOut = 12.0,
+	.armInward = 22.0,
 };
 
 static double toolRadians( double degrees )
@@ -339,6 +371,11 @@ void toolPoseWalkRoot( double phase, toolBodyPose* body )
 {
 	toolPoseGait( &s_walk, phase, body );
 	body->root.translation.z = (float)( s_walk.speed * s_walk.duration * phase );
+}
+
+void toolPoseCrouchWalk( double phase, toolBodyPose* body )
+{
+	toolPoseGait( &s_crouchWalk, phase, body );
 }
 
 void toolPoseRun( double phase, toolBodyPose* body )

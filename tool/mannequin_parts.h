@@ -127,13 +127,17 @@ void toolPoseWalkRoot( double phase, toolBodyPose* body );
 void toolPoseRun( double phase, toolBodyPose* body );
 void toolPoseIdle( double phase, toolBodyPose* body );
 void toolPoseTurn( double phase, toolBodyPose* body );
+void toolPoseStrafe( double phase, toolBodyPose* body );
+void toolPoseCrouch( double phase, toolBodyPose* body );
+void toolPoseCrouchWalk( double phase, toolBodyPose* body );
 
 enum
 {
 	tool_walkFrames = 64,
 	tool_runFrames = 86,
 	tool_idleFrames = 240,
-	tool_turnFrames = 132
+	tool_turnFrames = 132,
+	tool_strafeFrames = 60
 };
 
 /// The mesh with its materials 0 body, 1 joints, 2 soles, in root space of the rest pose. skinJoints[ joint ] is the

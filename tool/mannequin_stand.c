@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The mannequin on the spot: standing, and turning to the left by small steps. Root space.
+// The mannequin on the spot: standing, upright and deep, turning to the left by small steps, stepping to the left. Root
+// space.
 //
-// Both clips stand in the same way at their ends, so that they can follow each other. Where a foot goes in the turn is
-// laid out on the floor, and taken into the turning root's space then: feet that stand do not move.
+// Standing and turning stand in the same way at their ends, so that they can follow each other. Where a foot goes in
+// the turn and in the sidestep is laid out on the floor, and taken into the moving root's space then: feet that stand
+// do not move.
 #include "mannequin_parts.h"
 
 #include <math.h>
@@ -11,6 +13,15 @@
 #define STAND_AHEAD 0.006f
 #define STAND_TOE_OUT 0.14f
 #define STAND_DROP 0.022f
+#define CROUCH_DROP 0.35f
+#define STRAFE_SPEED 0.3   // m/s
+#define STRAFE_WIDER 0.04f // each foot, so that they don't meet
+
+typedef struct toolStepPlace
+{
+	double way;
+	double height;
+} toolStepPlace;
 
 static void toolPoseStand( toolBodyPose* body )
 {
@@ -28,18 +39,17 @@ static void toolPoseStand( toolBodyPose* body )
 	}
 }
 
-void toolPoseIdle( double phase, toolBodyPose* body )
+/// One slow shift of the weight, two breaths, added to a stance.
+static void toolAddSway( double phase, toolBodyPose* body )
 {
-	// One slow shift of the weight, two breaths.
 	float shift = (float)sin( 2.0 * TOOL_PI * phase );
 	float breath = (float)( 0.5 - 0.5 * cos( 4.0 * TOOL_PI * phase ) );
-	toolPoseStand( body );
 	body->hips = soleAdd( body->hips, soleVec( 0.016f * shift, -0.003f * shift * shift, 0.003f * breath ) );
 	body->pelvis.list = 0.020f * shift;
 	body->pelvis.yaw = -0.020f * shift;
 	body->spine.list = -0.016f * shift;
 	body->spine.yaw = 0.012f * shift;
-	body->chest.tilt = -0.022f * breath;
+	body->chest.tilt -= 0.022f * breath;
 	body->neck.tilt += 0.010f * breath;
 	body->head.tilt += 0.010f * breath;
 	body->head.yaw = 0.05f * shift;
@@ -48,6 +58,62 @@ void toolPoseIdle( double phase, toolBodyPose* body )
 		body->arms[side].shrug = 0.020f * breath;
 		body->arms[side].abduction -= 0.012f * breath;
 		body->arms[side].elbow += 0.02f * breath;
+	}
+}
+
+void toolPoseIdle( double phase, toolBodyPose* body )
+{
+	toolPoseStand( body );
+	toolAddSway( phase, body );
+}
+
+void toolPoseCrouch( double phase, toolBodyPose* body )
+{
+	toolPoseStand( body );
+	// Back and leaning ahead, so that the weight stays over the feet.
+	body->hips = soleAdd( body->hips, soleVec( 0.0f, -CROUCH_DROP, -0.08f ) );
+	body->pelvis.tilt = 0.40f;
+	body->spine.tilt = 0.22f;
+	body->chest.tilt = 0.14f;
+	body->neck.tilt = -0.24f;
+	body->head.tilt = -0.30f;
+	for ( int32_t side = 0; side < 2; ++side )
+	{
+		body->arms[side].flexion = 0.55f;
+		body->arms[side].elbow = 0.80f;
+	}
+	toolAddSway( phase, body );
+}
+
+/// How far a foot of the sidestep has come along the floor, of its stride, and how high it is, 0 to 1.
+static toolStepPlace toolFindSidestep( double phase )
+{
+	const double lasts = 0.40; // of a stride
+	double share = ( phase - 0.5 * ( 0.5 - lasts ) ) / lasts;
+	return ( toolStepPlace ){ toolEase( share ), toolEase( 2.0 * share ) * toolEase( 2.0 - 2.0 * share ) };
+}
+
+void toolPoseStrafe( double phase, toolBodyPose* body )
+{
+	const double stride = STRAFE_SPEED * tool_strafeFrames / 60.0;
+	toolPoseStand( body );
+	float lean = (float)sin( 2.0 * TOOL_PI * phase );
+	body->hips = soleAdd( body->hips, soleVec( 0.012f * lean, -0.028f, 0.0f ) );
+	body->pelvis.list = 0.025f * lean;
+	body->spine.list = -0.025f * lean;
+	for ( int32_t side = 0; side < 2; ++side )
+	{
+		// The left foot steps in the first half, the right one follows in the second; both are in the middle of their
+		// way when the root is.
+		double own = phase - 0.5 * side;
+		own -= floor( own );
+		toolStepPlace step = toolFindSidestep( own );
+		toolFootPose* foot = body->feet + side;
+		foot->toe.x += ( side == 0 ? STRAFE_WIDER : -STRAFE_WIDER );
+		foot->toe.x += (float)( stride * ( step.way - own - 0.25 ) );
+		foot->toe.y += 0.045f * (float)step.height;
+		foot->pitch = -0.16f * (float)step.height;
+		foot->toePitch = -0.06f * (float)step.height;
 	}
 }
 

@@ -36,16 +36,31 @@ bool toolOpenCharacter( const char* name, toolGltf** gltf, toolError* error )
 	return embedded || toolReadGltf( name, gltf, error );
 }
 
+/// What is to be seen of a scene at time 0.
+static void toolTakeTriangles( const soleScene* scene, toolGroundMesh* mesh )
+{
+	mesh->triangleCount = 0;
+	mesh->indices = toolAlloc( 3 * (size_t)scene->triangleCount, sizeof *mesh->indices );
+	for ( int32_t i = 0; i < scene->pieceCount; ++i )
+	{
+		const soleScenePiece* piece = scene->pieces + i;
+		soleTransform fromStart;
+		if ( soleGetScenePiece( scene, i, 0.0, &fromStart ) && piece->layer != sole_sceneRootOnly )
+		{
+			memcpy( mesh->indices + 3 * (size_t)mesh->triangleCount, scene->indices + 3 * (size_t)piece->firstTriangle,
+			    3 * (size_t)piece->triangleCount * sizeof *mesh->indices );
+			mesh->triangleCount += piece->triangleCount;
+		}
+	}
+}
+
 static void toolTakeScene( const soleScene* scene, toolGroundSource* source )
 {
 	size_t positions = 3 * (size_t)scene->vertexCount;
-	size_t indices = 3 * (size_t)scene->triangleCount;
 	source->mesh.vertexCount = scene->vertexCount;
-	source->mesh.triangleCount = scene->triangleCount;
 	source->mesh.positions = toolAlloc( positions, sizeof *source->mesh.positions );
-	source->mesh.indices = toolAlloc( indices, sizeof *source->mesh.indices );
 	memcpy( source->mesh.positions, scene->positions, positions * sizeof *source->mesh.positions );
-	memcpy( source->mesh.indices, scene->indices, indices * sizeof *source->mesh.indices );
+	toolTakeTriangles( scene, &source->mesh );
 	source->pathCount = scene->pathCount;
 	source->path = scene->pathCount > 0 ? toolAlloc( (size_t)scene->pathCount, sizeof *source->path ) : NULL;
 	for ( int32_t i = 0; i < scene->pathCount; ++i )

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Optional ground for those without physics: triangle meshes, height fields and planes, asked with rays and swept
-// spheres. Knows nothing of feet: a probe and a hit are all it shares with the rest. Immutable once made, any number of
-// threads may cast at once. Results do not depend on the order of triangles but for ties, which go to the lower index.
-// No ray slips between triangles that share their corners, whatever its direction.
+// spheres, still or moving. Knows nothing of feet: a probe and a hit are all it shares with the rest. Immutable once
+// made, any number of threads may cast at once. Results do not depend on the order of triangles but for ties, which go
+// to the lower index. No ray slips between triangles that share their corners, whatever its direction.
 #ifndef SOLE_GROUND_H
 #define SOLE_GROUND_H
 
@@ -86,6 +86,25 @@ SOLE_API soleHit soleCastProbe( const soleGround* ground, const soleProbe* probe
 
 /// The same for many: hits[i] answers probes[i].
 SOLE_API void soleCastProbes( const soleGround* ground, const soleProbe* probes, int32_t count, soleHit* hits );
+
+/// A ground that moves as a whole: a lift, a turntable, a vehicle. Where it is now and how it moves.
+typedef struct soleGroundPiece
+{
+	/// NULL: not there.
+	const soleGround* ground;
+	/// From the space in which the ground was given to the world: rotation and place; the scale is not read.
+	soleTransform transform;
+	/// Of the place transform.translation, world.
+	soleVec3 velocity_w;
+	/// Turns about this at as many radians a second as it is long, right-handed; world.
+	soleVec3 spin_w;
+	/// What hits report. SOLE_NONE: what the ground itself says.
+	int32_t surface;
+} soleGroundPiece;
+
+/// Nearest hit of one probe among pieces, each asked in its own space; ties go to the lower index. The velocity of a
+/// hit is that of its piece at the point.
+SOLE_API soleHit soleCastPieces( const soleGroundPiece* pieces, int32_t count, const soleProbe* probe );
 
 /// The box around everything but planes. Empty ground: lower above upper.
 SOLE_API void soleGround_GetBounds( const soleGround* ground, soleVec3* lower, soleVec3* upper );

@@ -193,6 +193,25 @@ static void soleCastPlanes(
 	}
 }
 
+bool soleCastQuery( const soleGround* ground, const soleGroundQuery* query, soleGroundTouch* best )
+{
+	*best = ( soleGroundTouch ){ .t = (double)INFINITY };
+	soleCastTree( ground, query, best );
+	int64_t firstIndex = SOLE_GROUND_MAX_TRIANGLES;
+	for ( int32_t i = 0; i < ground->fieldCount; ++i )
+	{
+		const soleGroundField* field = ground->fields + i;
+		if ( ( field->field.layer & query->mask ) != 0 )
+		{
+			soleCastHeightField( field, query, firstIndex, best );
+		}
+		firstIndex += soleGroundField_GetTriangleCount( field );
+	}
+	soleCastPlanes( ground, query, firstIndex, best );
+	// Coordinates near the end of what floats hold overflow on the way.
+	return best->hit && soleVec3_IsFinite( best->point ) && soleVec3_IsFinite( best->normal );
+}
+
 soleHit soleCastProbe( const soleGround* ground, const soleProbe* probe )
 {
 	SOLE_ASSERT( probe != NULL );
@@ -202,35 +221,19 @@ soleHit soleCastProbe( const soleGround* ground, const soleProbe* probe )
 	}
 	soleHit hit = { .surface = SOLE_NONE, .asked_w = probe->start_w };
 	soleGroundQuery query;
+	soleGroundTouch touch;
 	if ( ground == NULL ||
-	    !soleMakeGroundQuery( probe->start_w, probe->direction_w, probe->length, probe->radius, probe->mask, &query ) )
-	{
-		return hit;
-	}
-	soleGroundTouch best = { .t = (double)INFINITY };
-	soleCastTree( ground, &query, &best );
-	int64_t firstIndex = SOLE_GROUND_MAX_TRIANGLES;
-	for ( int32_t i = 0; i < ground->fieldCount; ++i )
-	{
-		const soleGroundField* field = ground->fields + i;
-		if ( ( field->field.layer & query.mask ) != 0 )
-		{
-			soleCastHeightField( field, &query, firstIndex, &best );
-		}
-		firstIndex += soleGroundField_GetTriangleCount( field );
-	}
-	soleCastPlanes( ground, &query, firstIndex, &best );
-	// Coordinates near the end of what floats hold overflow on the way.
-	if ( best.hit == false || !soleVec3_IsFinite( best.point ) || !soleVec3_IsFinite( best.normal ) )
+	    !soleMakeGroundQuery( probe->start_w, probe->direction_w, probe->length, probe->radius, probe->mask, &query ) ||
+	    !soleCastQuery( ground, &query, &touch ) )
 	{
 		return hit;
 	}
 	hit.hit = true;
-	hit.startedInside = best.inside;
-	hit.layer = best.layer;
-	hit.surface = best.surface;
-	hit.point_w = best.point;
-	hit.normal_w = best.normal;
+	hit.startedInside = touch.inside;
+	hit.layer = touch.layer;
+	hit.surface = touch.surface;
+	hit.point_w = touch.point;
+	hit.normal_w = touch.normal;
 	return hit;
 }
 

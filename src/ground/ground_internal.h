@@ -161,6 +161,11 @@ void soleGroundField_GetBounds( const soleGroundField* field, soleVec3* lower, s
 void soleCastHeightField(
     const soleGroundField* field, const soleGroundQuery* query, int64_t firstIndex, soleGroundTouch* best );
 
+// cast.c
+
+/// The nearest of all that a ground holds. @return false where nothing was met.
+bool soleCastQuery( const soleGround* ground, const soleGroundQuery* query, soleGroundTouch* best );
+
 // tree.c
 
 /// Sorts the ground's triangles and makes its nodes. @return false when out of memory: the ground may still be
