@@ -62,19 +62,26 @@ static soleOffset3 soleArrive( soleOffset3 offset, soleVec3 goal, float time, fl
 	return ( soleOffset3 ){ soleAdd( goal, value ), velocity };
 }
 
+/// The offset of a free foot some time later: on its way to where it is to land, or back to the animation.
+static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float time )
+{
+	soleLegState* state = leg->state;
+	if ( leg->planned )
+	{
+		soleVec3 goal = soleHorizontal( work, soleSub( leg->stepPlace, leg->landing ) );
+		state->slide = soleArrive( state->slide, goal, leg->stepInput.until + time, time );
+	}
+	else
+	{
+		state->slide = soleDecayOffset3( state->slide, work->settings->contact.releaseHalfLife, time );
+	}
+}
+
 static void soleGoFree( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	soleSetAnchor( work, leg, false );
-	if ( leg->planned )
-	{
-		soleVec3 goal = soleHorizontal( work, soleSub( leg->stepPlace, leg->landing ) );
-		state->slide = soleArrive( state->slide, goal, leg->stepInput.until + work->timeStep, work->timeStep );
-	}
-	else
-	{
-		state->slide = soleDecayOffset3( state->slide, work->settings->contact.releaseHalfLife, work->timeStep );
-	}
+	soleLetSlide( work, leg, work->timeStep );
 	state->turn = soleDecayOffset1( state->turn, work->settings->contact.releaseHalfLife, work->timeStep );
 	leg->turn = soleHalfRotation( work->up, soleHalfFromQuarterTan( state->turn.value ) );
 	leg->anchorGoal = soleAdd( soleAnimatedPlace( work, leg ), state->slide.value );
@@ -132,7 +139,7 @@ static void soleRelease( solePlaceWork* work, soleLegWork* leg )
 	soleVec3 moved = soleScale( 0.5f * leg->since, soleAdd( velocity, then ) );
 	state->slide.value = soleSub( leg->anchorGoal, soleSub( place, moved ) );
 	state->slide.velocity = leg->told ? soleVec( 0.0f, 0.0f, 0.0f ) : soleSub( state->slide.velocity, then );
-	state->slide = soleDecayOffset3( state->slide, work->settings->contact.releaseHalfLife, leg->since );
+	soleLetSlide( work, leg, leg->since );
 	leg->anchorGoal = soleAdd( place, state->slide.value );
 	soleHalf half = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );
 	state->turn = ( soleOffset1 ){ soleQuarterTan( half ), 0.0f };
