@@ -192,7 +192,7 @@ typedef struct soleSettings
 		float halfLife; // s [0, 2] default 0.08
 		float hold;    // it stays down for so long after it had to, to be there for the next step. s [0, 4] default 1.2
 		float release; // half-life of its way up from there. s [0, 4] default 0.2
-		float speed;   // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
+		float speed;   // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.95
 		float
 		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
 	} pelvis;
@@ -417,6 +417,7 @@ typedef struct soleState
 	soleOffset1 pelvis;     // offset of the pelvis along up over the ground that the body is over
 	soleOffset1 pelvisLead; // which that follows
 	float pelvisHeld;       // where that has to go, as low as it had to lately
+	float bodyGround;       // height of that ground over the root
 	float pelvisHeldTime;   // for how long it had not to, s
 	double worldOrigin[3];
 	int32_t internalValue;

@@ -230,7 +230,7 @@ static soleVec3 soleChoosePlace( const solePlaceWork* work, const soleLegWork* l
 	const soleLegState* state = leg->state;
 	bool planned = ( state->flags & sole_statePlanned ) != 0;
 	float apart = work->settings->foothold.shift * leg->length / (float)SHIFTS;
-	soleVec3 last = planned ? soleSub( state->stepPlace_w, work->root_w ) : leg->landing;
+	soleVec3 last = planned ? soleLevelPlace( work, leg ) : leg->landing;
 	soleVec3 best = last;
 	float least = soleCostOf( work, leg, last );
 	soleTryPlaces( work, leg, leg->landing, apart, last, &best, &least );
@@ -242,7 +242,7 @@ static soleVec3 soleChoosePlace( const solePlaceWork* work, const soleLegWork* l
 static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
-	soleVec3 apart = soleHorizontal( work, soleSub( soleSub( state->stepPlace_w, work->root_w ), leg->landing ) );
+	soleVec3 apart = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), leg->landing ) );
 	return ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < work->settings->foothold.freeze &&
 	    soleLength( apart ) < 2.0f * work->settings->foothold.shift * leg->length;
 }
@@ -262,6 +262,7 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	{
 		return false;
 	}
+	place = soleAdd( place, soleTiltShift( work, leg, rest.plane.normal ) );
 	place = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
 	state->stepPlace_w = soleAdd( place, work->root_w );
 	state->stepNormal_w = rest.plane.normal;

@@ -64,7 +64,7 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->pelvis.value ) &&
 	    soleIsFinite( state->pelvis.velocity ) &&
 	    soleIsFinite( state->pelvisLead.value + state->pelvisLead.velocity ) && soleIsFinite( state->pelvisHeld ) &&
-	    soleIsFinite( state->pelvisHeldTime );
+	    soleIsFinite( state->pelvisHeldTime + state->bodyGround );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
 		const soleLegState* leg = state->legs + i;

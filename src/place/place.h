@@ -200,6 +200,13 @@ static inline soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWo
 	return soleScale( -leg->rig->ankleHeight * work->rootScale, soleHorizontal( work, normal ) );
 }
 
+/// The foothold that was chosen, without that part.
+static inline soleVec3 soleLevelPlace( const solePlaceWork* work, const soleLegWork* leg )
+{
+	soleVec3 place = soleSub( leg->state->stepPlace_w, work->root_w );
+	return soleSub( place, soleTiltShift( work, leg, leg->state->stepNormal_w ) );
+}
+
 static inline int32_t soleMinI( int32_t a, int32_t b )
 {
 	return a < b ? a : b;
