@@ -192,7 +192,7 @@ typedef struct soleSettings
 		float halfLife; // s [0, 2] default 0.08
 		float hold;    // it stays down for so long after it had to, to be there for the next step. s [0, 4] default 1.2
 		float release; // half-life of its way up from there. s [0, 4] default 0.2
-		float speed;   // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.95
+		float speed;   // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.9
 		float
 		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
 	} pelvis;

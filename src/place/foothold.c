@@ -352,7 +352,7 @@ static solePlane soleRememberPlane( const solePlaceWork* work, const soleLegWork
 static soleStand soleStandOnWay( const soleLegWork* leg, const soleWay* way )
 {
 	float time = soleShareOfTime( leg );
-	return ( soleStand ){ way->from, way->to, time, soleSmoothly( time ) };
+	return ( soleStand ){ way->from, way->to, time, time * time * ( 3.0f - 2.0f * time ) };
 }
 
 static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, solePlane plane )

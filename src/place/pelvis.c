@@ -163,7 +163,7 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 	}
 	else if ( near || soleIsStanding( work ) || state->pelvisHeldTime > s->pelvis.hold )
 	{
-		float halfLife = s->pelvis.release * ( soleIsStanding( work ) ? 0.5f : 1.0f );
+		float halfLife = s->pelvis.release * ( soleIsStanding( work ) ? 0.25f : 1.0f );
 		float left = halfLife > 0.0f ? soleExpNegative( LN_2 * work->timeStep / halfLife ) : 0.0f;
 		state->pelvisHeld = goal + ( state->pelvisHeld - goal ) * left;
 	}
