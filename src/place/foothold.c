@@ -254,6 +254,9 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	bool planned = ( state->flags & sole_statePlanned ) != 0;
 	if ( planned && leg->sampleCount == 0 )
 	{
+		// A body that is not listed goes on as it went.
+		leg->surface = state->body.surface;
+		leg->surfaceVelocity = ( state->flags & sole_stateRides ) != 0 ? leg->surfaceVelocity : state->body.place;
 		return true;
 	}
 	soleVec3 place = soleChoosePlace( work, leg );
@@ -269,6 +272,8 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	state->stepLanding_w = soleAdd( leg->landing, work->root_w );
 	state->toeSlope = rest.toeSlope;
 	leg->out->confidence = rest.confidence;
+	leg->surface = rest.surface;
+	leg->surfaceVelocity = rest.velocity;
 	return true;
 }
 
