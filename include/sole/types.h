@@ -129,6 +129,15 @@ typedef enum soleProbeLayout
 	sole_probeLayoutForce32 = 0x7fffffff
 } soleProbeLayout;
 
+/// What a held foot turns about when the animation turns it.
+typedef enum soleLockPivot
+{
+	sole_pivotNone = 0,  // its heading is held
+	sole_pivotBall = 1,  // the ball is held, the heel follows
+	sole_pivotAnkle = 2, // the place under the ankle is held
+	sole_pivotForce32 = 0x7fffffff
+} soleLockPivot;
+
 /// Every tunable. Plain data, may change every frame. Start from soleDefaultSettings(); a value out of its range is
 /// clamped into it. Names, units, ranges, defaults and one sentence each: soleGetSettingInfos().
 typedef struct soleSettings
@@ -165,8 +174,15 @@ typedef struct soleSettings
 		float heightOn;        // a sole point lower than this over the clip's floor may plant. L [0, 1] default 0.025
 		float heightOff;       // higher than this releases. L [0, 1] default 0.05
 		float settle;          // a foot that looks planted for this long is. s [0, 1] default 0.033
-		float lockDistance;    // a lock is given up further than this from the animation. L [0, 2] default 0.25
+		soleLockPivot pivot;   // what a held foot turns about. [0, 2] default 0, none
+		float lockDistance;    // a lock is given up further than this from where it began, seen from the animation. L
+		                       // [0, 2] default 0.25
 		float lockAngle;       // or turned further than this. rad [0, 3] default 0.79 (45 degrees)
+		float relock;          // share of both within which a lock that was given up may begin anew. [0, 1] default 0.4
+		float replantDistance; // a foot at rest that is further off than this steps over. L [0, 2] default 0.1
+		float replantAngle;    // or turned further than this. rad [0, 3] default 0.35 (20 degrees)
+		float replantAfter;    // if it has been for so long. s [0, 60] default 0.8
+		float replantTime;     // how long that step takes. s [0.02, 2] default 0.25
 		float captureHalfLife; // decay of what is left of the motion when a foot is locked. s [0, 1] default 0.05
 		float releaseHalfLife; // decay of the offset when it is let go. s [0, 1] default 0.08
 		float fadeIn;          // time in which a planted leg gets its full say in the pelvis. s [0, 1] default 0.12
@@ -401,6 +417,13 @@ typedef struct soleLegState
 	soleVec3 stepNormal_w;
 	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
 	soleBodyState body;
+	soleVec3 heldShift;   // how far from the animation the foot was when it came to be held
+	float strayTime;      // for how long it has been further off than that, s
+	float shortfall;      // how far the foot was from where it was wanted, of the leg's length
+	float restep;         // what is left of a step by which it follows, s
+	soleVec3 learntPlace; // where it came down the last time, as seen from the root, character space
+	float learntFlight;   // how long it was in the air, s
+	float learntSpeed;    // how fast the root was
 	float toeSlope;       // of the ground in front of the ball over the plane, as last known
 	soleOffset1 toe;      // what is left of its changes
 	float chosenOver;     // how far its plane is over what is met under it

@@ -83,7 +83,10 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
 		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
 		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) &&
-		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
+		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
+		    soleIsFinite( leg->ballSpeed + leg->time + leg->restep + leg->strayTime ) &&
+		    soleVec3_IsFinite( leg->heldShift ) && soleVec3_IsFinite( leg->learntPlace ) &&
+		    soleIsFinite( leg->learntFlight + leg->learntSpeed + leg->shortfall );
 	}
 	return finite;
 }
@@ -153,7 +156,9 @@ void soleSetUpFrame( solePlaceWork* work )
 		float moved = soleDistance( work->root_w, work->state->root_w );
 		work->first = moved > TELEPORT * scaled && moved > 20.0f * scaled * work->timeStep;
 		soleVec3 travel = soleHorizontal( work, soleSub( work->root_w, work->state->root_w ) );
-		work->rootSpeed = work->timeStep > 0.0f ? soleLength( travel ) / work->timeStep : 0.0f;
+		float perSecond = work->timeStep > 0.0f ? 1.0f / work->timeStep : 0.0f;
+		work->rootVelocity = soleScale( perSecond, travel );
+		work->rootSpeed = soleLength( work->rootVelocity );
 	}
 	if ( work->first )
 	{

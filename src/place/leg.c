@@ -198,6 +198,7 @@ static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
 	leg->out->ankleTarget_w = soleAdd( leg->ankleGoal, work->root_w );
 	leg->out->ankle_w = soleAdd( result.ankle, work->root_w );
 	leg->out->error = soleDistance( result.ankle, leg->ankleGoal );
+	leg->state->shortfall = leg->out->error / leg->length;
 	leg->out->extension = soleDistance( leg->hip, result.ankle ) / leg->length;
 }
 

@@ -91,12 +91,15 @@ static void soleWritePelvis( solePlaceWork* work )
 static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
 {
 	soleSense( work );
+	soleForesee( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleAimSole( work, work->legs + i );
 	}
 	soleFindSupport( work, hits, hitCount );
 	soleUpdateContact( work );
+	soleLearnSteps( work );
+	soleTakeResteps( work );
 	soleChooseFootholds( work );
 	soleUpdateLocks( work );
 	soleSetTargets( work );
@@ -126,6 +129,7 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = &copy, .out = &out };
 	soleSetUpFrame( &work );
 	soleSense( &work );
+	soleForesee( &work );
 	for ( int32_t i = 0; i < work.legCount; ++i )
 	{
 		soleAimSole( &work, work.legs + i );

@@ -111,6 +111,7 @@ typedef struct soleLegWork
 	bool touches;     // is in contact, held or not
 	bool touched;     // was so a frame ago
 	bool told;        // by the host
+	float flight;     // how long it was in the air before it came down, s
 	float letGoSpeed; // at which a foot is let go
 	float since;      // the change of contact happened so long before the end of this frame, s
 
@@ -159,8 +160,9 @@ typedef struct solePlaceWork
 	soleVec3 root_w; // near space + root_w = world
 	float rootScale;
 	float timeStep;
-	bool first;        // nothing is remembered
-	float rootSpeed;   // horizontal, for fast gaits
+	bool first;            // nothing is remembered
+	soleVec3 rootVelocity; // horizontal
+	float rootSpeed;
 	float pelvisShift; // along up
 	float carriedUp;   // how far along up the bodies that legs stand on have moved since the last frame
 	float bodyGround;  // height of the ground that the body is over
@@ -265,6 +267,8 @@ void soleRememberBodies( solePlaceWork* work );
 
 /// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.
 void soleSense( solePlaceWork* work );
+/// When and where feet in flight will come down.
+void soleForesee( solePlaceWork* work );
 /// What to ask of the ground. @return number of probes written
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity );
 /// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
@@ -273,6 +277,10 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount );
 /// Which part of the foot is on the ground, and since when.
 void soleUpdateContact( solePlaceWork* work );
+/// How long a step took and where it went, for the next.
+void soleLearnSteps( solePlaceWork* work );
+/// Feet that stand but have been left behind step over.
+void soleTakeResteps( solePlaceWork* work );
 /// Where the next step lands, and the plane that the foot follows on its way.
 void soleChooseFootholds( solePlaceWork* work );
 /// Held where.
