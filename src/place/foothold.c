@@ -22,17 +22,19 @@
 // a foot in flight, quickly by a planted one.
 #include "place/rest.h"
 
-#define GENTLE 0.5f    // rise per length
-#define MUCH 0.02f     // of cost, by which a place has to be better that is
-#define FAR_OFF 0.05f  // L away from the last choice, or further
-#define STEP 0.022f    // L: ground this much higher than was foreseen is another step
-#define CHANGE 0.003f  // L: ground that has moved by more is read anew
-#define FEW 0.34f      // share of the places under a sole
-#define DEPTH 0.0022f  // L
-#define SHIFTS 4       // to either side
-#define BY_TIME 0.25f  // L: a step shorter than this goes by time
-#define UNFIT 1.0f     // cost of a place that cannot be walked on, or is not known
-#define NEAR_END 0.06f // share of the way near its ends in which nothing can be cleared any more
+#define GENTLE 0.5f      // rise per length
+#define MUCH 0.02f       // of cost, by which a place has to be better that is
+#define FAR_OFF 0.05f    // L away from the last choice, or further
+#define NEAR_BY 0.06f    // L: a foot this near to its foothold has come down on it
+#define UNSHIFTED 0.002f // L
+#define STEP 0.022f      // L: ground this much higher than was foreseen is another step
+#define CHANGE 0.003f    // L: ground that has moved by more is read anew
+#define FEW 0.34f        // share of the places under a sole
+#define DEPTH 0.0022f    // L
+#define SHIFTS 4         // to either side
+#define BY_TIME 0.25f    // L: a step shorter than this goes by time
+#define UNFIT 1.0f       // cost of a place that cannot be walked on, or is not known
+#define NEAR_END 0.06f   // share of the way near its ends in which nothing can be cleared any more
 #define MOST_MORE 1.6f
 
 // ---------------------------------------------------------------------------------------------------------- the way
@@ -277,6 +279,21 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	return true;
 }
 
+/// A foothold that is just where the animation means it stays there when that is foreseen to be elsewhere.
+static void soleFollowLanding( const solePlaceWork* work, const soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	soleVec3 meant = soleSub( state->stepLanding_w, work->root_w );
+	soleVec3 shift = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), meant ) );
+	soleVec3 moved = soleHorizontal( work, soleSub( leg->landing, meant ) );
+	if ( soleLength( shift ) < UNSHIFTED * leg->length )
+	{
+		float climb = soleDot( soleGradientOf( work, state->stepNormal_w ), moved );
+		state->stepPlace_w = soleMulAdd( soleAdd( state->stepPlace_w, moved ), climb, work->up );
+		state->stepLanding_w = soleAdd( state->stepLanding_w, moved );
+	}
+}
+
 /// The foot leaves the plane on which it stood.
 static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 {
@@ -303,6 +320,10 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg )
 	if ( ( state->flags & sole_statePlanned ) == 0 )
 	{
 		soleSetOut( work, leg );
+	}
+	if ( settled || leg->sampleCount == 0 )
+	{
+		soleFollowLanding( work, leg );
 	}
 	leg->planned = true;
 	leg->hasGround = true;
@@ -398,8 +419,9 @@ static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 {
 	solePlane chosen = soleGetChosen( work, leg->state );
 	float over = soleHeightOver( work, leg, chosen );
-	if ( foreseen && over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length &&
-	    leg->share < FEW )
+	float missed = soleLength( soleHorizontal( work, soleSub( leg->soleCenter, chosen.point ) ) );
+	if ( foreseen && missed < NEAR_BY * leg->length && over < -STEP * leg->length &&
+	    over > -work->settings->probe.stepUp * leg->length && leg->share < FEW )
 	{
 		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
 		leg->raw = soleMakePlane( work, point, chosen.gradient );

@@ -8,7 +8,7 @@
 #include "place/place.h"
 
 #define ALIKE 0.35f   // a gait whose speed differs by a smaller share is the same
-#define OVERDUE 0.25f // a flight that lasts longer than the last one by a smaller share is nearly over
+#define OVERDUE 0.04f // s: a flight that lasts longer than this beyond the last one is another kind of step
 #define NEARLY 0.01f  // s
 #define LONGEST 1.5f  // s: a longer flight is no step
 #define STRIDE 0.4f   // L/s: a root that is slower takes no steps that can be learnt
@@ -69,7 +69,7 @@ static bool soleForeseeAgain( solePlaceWork* work, soleLegWork* leg )
 	}
 	float since = state->time + work->timeStep;
 	float until = state->learntFlight - since;
-	if ( until < -OVERDUE * state->learntFlight )
+	if ( until < -OVERDUE )
 	{
 		return false;
 	}
@@ -102,13 +102,17 @@ void soleLearnSteps( solePlaceWork* work )
 	{
 		soleLegWork* leg = work->legs + i;
 		soleLegState* state = leg->state;
+		bool left = leg->usable && leg->touched && leg->touches == false;
+		state->flags |= left ? (uint32_t)sole_stateLeft : 0u;
 		bool came = leg->usable && leg->told == false && leg->touches && leg->touched == false;
 		if ( came == false || work->first )
 		{
 			continue;
 		}
 		// How long it was in the air is known from before its time was set back.
-		bool step = leg->flight > 0.0f && leg->flight < LONGEST && work->rootSpeed > STRIDE * leg->length;
+		bool seen = ( state->flags & sole_stateLeft ) != 0;
+		bool step = seen && leg->flight > 0.0f && leg->flight < LONGEST && work->rootSpeed > STRIDE * leg->length;
+		state->flags &= ~(uint32_t)sole_stateLeft;
 		state->learntFlight = step ? leg->flight : 0.0f;
 		state->learntSpeed = work->rootSpeed;
 		soleQuat rotation = soleNormalizeQuat( work->frame->root.rotation );

@@ -22,6 +22,7 @@ enum
 	sole_statePlanned = 1 << 5,  // in flight to stepPlace_w
 	sole_stateChosen = 1 << 7,   // it stands on the plane of stepPlace_w
 	sole_stateCompared = 1 << 8, // how far that is over what is met is known
+	sole_stateLeft = 1 << 11,    // it was seen to leave the ground
 	sole_stateRides = 1 << 10,   // its body is one that the host lists
 	sole_stateForeseen = 1 << 9, // it has come down where it was planned to, a frame ago
 	sole_stateGround = 1 << 6,   // there was ground
@@ -65,9 +66,10 @@ typedef struct soleLegWork
 	soleLegState* state;
 	soleLegOutput* out;
 	int32_t index;
-	float weight; // frame.weight * legWeight
-	float length; // of the bones now, world
-	bool usable;  // finite and of some length
+	float weight;     // of its place: as far as the host's weights are blended in
+	float turnWeight; // of its turn
+	float length;     // of the bones now, world
+	bool usable;      // finite and of some length
 	soleContactInput contactInput;
 	soleStepInput stepInput;
 
@@ -163,10 +165,13 @@ typedef struct solePlaceWork
 	bool first;            // nothing is remembered
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
-	float pelvisShift; // along up
-	float carriedUp;   // how far along up the bodies that legs stand on have moved since the last frame
-	float bodyGround;  // height of the ground that the body is over
-	float bodyBefore;  // the same by what the last frame knew
+	float pelvisShift;     // along up
+	float weight;          // of the whole: the largest of the legs'
+	soleVec3 balance;      // of the pelvis, horizontal
+	soleVec3 bodyGradient; // slope of the ground that the body is over
+	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
+	float bodyGround;      // height of the ground that the body is over
+	float bodyBefore;      // the same by what the last frame knew
 	soleTransform slots[SOLE_MAX_SLOTS];
 
 	int32_t legCount;
@@ -251,6 +256,20 @@ static inline soleReach soleGetReach( const solePlaceWork* work, const soleLegWo
 	return ( soleReach ){ soft, hard };
 }
 
+/// A joint of the animated pose, the second pose blended in.
+static inline soleTransform soleReadPose( const soleFrame* frame, float second, int32_t joint )
+{
+	soleTransform a = frame->pose[joint];
+	if ( frame->secondPose == NULL || !( second > 0.0f ) )
+	{
+		return a;
+	}
+	soleTransform b = frame->secondPose[joint];
+	return ( soleTransform ){ soleLerp( a.translation, b.translation, second ),
+		soleNlerp( soleNormalizeQuat( a.rotation ), soleNormalizeQuat( b.rotation ), second ),
+		soleLerp( a.scale, b.scale, second ) };
+}
+
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 soleSettings soleCleanSettings( const soleSettings* settings );
 bool soleIsFrameUsable( const soleFrame* frame );
@@ -287,6 +306,8 @@ void soleChooseFootholds( solePlaceWork* work );
 void soleUpdateLocks( solePlaceWork* work );
 /// Ankle and foot goals.
 void soleSetTargets( solePlaceWork* work );
+/// How much of the second pose the ground demands.
+void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.
 void soleFindBodyGround( solePlaceWork* work );
 /// One height that all legs can live with.
