@@ -437,6 +437,7 @@ typedef struct soleLegState
 	soleBodyState body;
 	soleVec3 heldShift;   // how far from the animation the foot was when it came to be held
 	float strayTime;      // for how long it has been further off than that, s
+	float missTime;       // for how long nothing was met under it while it stands, s
 	float shortfall;      // how far the foot was from where it was wanted, of the leg's length
 	float restep;         // what is left of a step by which it follows, s
 	soleVec3 learntPlace; // where it came down the last time, as seen from the root, character space

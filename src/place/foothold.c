@@ -25,6 +25,7 @@
 #define GENTLE 0.5f      // rise per length
 #define MUCH 0.02f       // of cost, by which a place has to be better that is
 #define FAR_OFF 0.05f    // L away from the last choice, or further
+#define MISS_TIME 0.1f   // s
 #define NEAR_BY 0.06f    // L: a foot this near to its foothold has come down on it
 #define UNSHIFTED 0.002f // L
 #define STEP 0.022f      // L: ground this much higher than was foreseen is another step
@@ -457,6 +458,23 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 	leg->toeSlope = state->toeSlope;
 }
 
+/// Answers that fail for a moment, while a foot stands, mean nothing: the ground is taken to be where it was.
+static void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePlane old )
+{
+	soleLegState* state = leg->state;
+	bool missed = leg->hasGround == false && leg->foreseen == false && leg->hadGround && leg->touches;
+	state->missTime = missed ? state->missTime + work->timeStep : 0.0f;
+	if ( missed && state->missTime < MISS_TIME )
+	{
+		leg->hasGround = true;
+		leg->missed = true;
+		leg->raw = old;
+		leg->toeSlope = state->toeSlope;
+		leg->surface = state->body.surface;
+		leg->surfaceVelocity = ( state->flags & sole_stateRides ) != 0 ? leg->surfaceVelocity : state->body.place;
+	}
+}
+
 static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
@@ -464,6 +482,10 @@ static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 	const uint32_t foreseen = (uint32_t)( sole_statePlanned | sole_stateForeseen );
 	uint32_t flags = state->flags;
 	state->flags &= ~foreseen;
+	if ( leg->missed )
+	{
+		return;
+	}
 	if ( leg->touches == false )
 	{
 		state->flags &= ~chosen;
@@ -517,6 +539,7 @@ void soleChooseFootholds( solePlaceWork* work )
 		solePlane old = soleRememberPlane( work, leg );
 		float oldToe = state->toeSlope;
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
+		soleBridgeMiss( work, leg, old );
 		soleWay wayBefore = soleRememberWay( work, leg );
 		leg->standBefore = ( state->flags & sole_statePlanned ) != 0 ? soleStandOnWay( leg, &wayBefore )
 		                                                             : soleStandOnPlane( work, leg->soleCenter, old );

@@ -87,7 +87,7 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
 		    soleIsFinite( leg->ballSpeed + leg->time + leg->restep + leg->strayTime ) &&
 		    soleVec3_IsFinite( leg->heldShift ) && soleVec3_IsFinite( leg->learntPlace ) &&
-		    soleIsFinite( leg->learntFlight + leg->learntSpeed + leg->shortfall ) &&
+		    soleIsFinite( leg->learntFlight + leg->learntSpeed + leg->shortfall + leg->missTime ) &&
 		    soleIsFinite( leg->positionWeight + leg->rotationWeight );
 	}
 	return finite;
@@ -161,9 +161,11 @@ static void soleBlendWeights( solePlaceWork* work, soleLegWork* leg )
 	float whole = soleSaturate( frame->weight ) * soleReadWeight( frame->legWeight, leg->index );
 	float position = whole * soleReadWeight( frame->positionWeight, leg->index );
 	float rotation = whole * soleReadWeight( frame->rotationWeight, leg->index );
+	float before = leg->state->positionWeight;
 	leg->state->positionWeight = soleBlend( work, leg->state->positionWeight, position );
 	leg->state->rotationWeight = soleBlend( work, leg->state->rotationWeight, rotation );
 	leg->weight = leg->state->positionWeight;
+	leg->blending = work->first == false && leg->weight != before;
 	leg->turnWeight = leg->state->rotationWeight;
 	work->weight = soleMaxF( work->weight, leg->weight );
 }

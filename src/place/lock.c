@@ -204,7 +204,7 @@ static float soleFindStrain( const solePlaceWork* work, const soleLegWork* leg )
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f;
+	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->blending == false;
 	bool settled = state->contactTime > work->settings->contact.settle;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{

@@ -68,6 +68,7 @@ typedef struct soleLegWork
 	int32_t index;
 	float weight;     // of its place: as far as the host's weights are blended in
 	float turnWeight; // of its turn
+	bool blending;    // they change
 	float length;     // of the bones now, world
 	bool usable;      // finite and of some length
 	soleContactInput contactInput;
@@ -103,6 +104,7 @@ typedef struct soleLegWork
 	int32_t sampleCount;
 	bool hasGround;
 	bool hadGround; // a frame ago
+	bool missed;    // no answer, and taken to be where it was
 	solePlane raw;  // the plane that carries the sole, as the ground is now
 	float toeSlope; // rise per length of the ground in front of the ball, over the plane
 	float share;    // of the places under the sole that bear
