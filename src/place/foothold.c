@@ -89,7 +89,7 @@ static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, 
 /// A quadratic B-spline over the share of the way, 0 at both ends, its control points at 0, 1/4, 1/2, 3/4 and 1.
 static float soleLiftAt( const float lift[3], float s )
 {
-	const float controls[7] = { 0.0f, 0.0f, lift[0], lift[1], lift[2], 0.0f, 0.0f };
+	const float controls[7] = { -lift[0], 0.0f, lift[0], lift[1], lift[2], 0.0f, -lift[2] };
 	float x = soleClampF( 4.0f * s + 0.5f, 0.0f, 4.999f );
 	int32_t i = (int32_t)x;
 	float t = x - (float)i;
@@ -413,22 +413,29 @@ static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
 	state->flags &= ~(uint32_t)sole_stateCompared;
 }
 
-/// A foot that has just come down: on what was foreseen, where a toe that just meets a riser, or a heel, would have it
-/// stand on the step over it; else on what is met under it. Once it is held its ground is asked for closely, and that
-/// is what it stands on.
+/// A foot that has just come down: on what was foreseen until it is held. Then its ground is asked for closely, and
+/// that is what it stands on; but where a toe that just meets a riser, or a heel, would have it stand on the step over
+/// it, it stays on what was foreseen.
 static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 {
 	solePlane chosen = soleGetChosen( work, leg->state );
 	float over = soleHeightOver( work, leg, chosen );
 	float missed = soleLength( soleHorizontal( work, soleSub( leg->soleCenter, chosen.point ) ) );
-	if ( foreseen && missed < NEAR_BY * leg->length && over < -STEP * leg->length &&
-	    over > -work->settings->probe.stepUp * leg->length && leg->share < FEW )
+	bool locked = ( leg->state->flags & sole_stateLocked ) != 0;
+	bool there = foreseen && missed < NEAR_BY * leg->length;
+	if ( there && locked == false )
+	{
+		leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
+		leg->toeSlope = leg->state->toeSlope;
+	}
+	else if ( there && over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length &&
+	    leg->share < FEW )
 	{
 		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
 		leg->raw = soleMakePlane( work, point, chosen.gradient );
 		leg->toeSlope = 0.0f;
 	}
-	if ( ( leg->state->flags & sole_stateLocked ) != 0 )
+	if ( locked )
 	{
 		soleSettleOn( work, leg );
 	}

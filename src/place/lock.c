@@ -10,7 +10,8 @@
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
 #include "place/place.h"
 
-#define SHORT 0.1f // L: a leg whose foot can't come nearer than this to where it is held gives up
+#define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
+#define SHORT 0.1f    // L: a leg whose foot can't come nearer than this to where it is held gives up
 
 /// The turn about up that takes one heading to another.
 static soleHalf soleHeading( const solePlaceWork* work, soleVec3 from, soleVec3 to )
@@ -77,6 +78,11 @@ static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float tim
 	{
 		soleVec3 goal = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), leg->landing ) );
 		state->slide = soleArrive( state->slide, goal, leg->stepInput.until + time, time );
+	}
+	else if ( leg->told && leg->touches && ( state->flags & sole_stateBarred ) == 0 )
+	{
+		// It is down, and comes to rest with the animation.
+		state->slide.velocity = soleVec( 0.0f, 0.0f, 0.0f );
 	}
 	else
 	{
@@ -200,12 +206,21 @@ static float soleFindStrain( const solePlaceWork* work, const soleLegWork* leg )
 	return soleMaxF( far, ( turn < 0.0f ? -turn : turn ) / soleMaxF( most, 1e-6f ) );
 }
 
+/// Has the foot been down for long enough to be held? A host says so a little before the foot has come to rest.
+static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	float settle = work->settings->contact.settle;
+	float speed = ( state->flags & sole_stateToeOn ) != 0 ? leg->ballSpeed : leg->heelSpeed;
+	bool moving = leg->told && work->first == false && speed > AT_REST * leg->length && state->time < 2.0f * settle;
+	return state->contactTime > settle && moving == false;
+}
+
 /// A lock that is strained is given up, and may begin anew when the foot has been free, or is near the animation again.
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->blending == false;
-	bool settled = state->contactTime > work->settings->contact.settle;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );
@@ -221,7 +236,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 		soleGoFree( work, leg );
 		bool near = soleFindStrain( work, leg ) < work->settings->contact.relock && state->shortfall < 0.5f * SHORT;
 		state->flags &= leg->touches && near == false ? ~0u : ~(uint32_t)sole_stateBarred;
-		if ( possible && settled && ( state->flags & sole_stateBarred ) == 0 )
+		if ( possible && soleIsSettled( work, leg ) && ( state->flags & sole_stateBarred ) == 0 )
 		{
 			soleCapture( work, leg );
 		}
