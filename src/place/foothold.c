@@ -308,13 +308,17 @@ static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 }
 
 /// Sets out, or goes on, to the next foothold.
-static void solePlanStep( solePlaceWork* work, soleLegWork* leg )
+static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
 	soleLegState* state = leg->state;
 	bool settled = soleIsSettled( work, leg );
 	if ( settled == false && soleChooseStep( work, leg ) == false )
 	{
-		leg->hasGround = false;
+		// Nothing is seen there: the ground that the foot comes from goes on, until it asks under itself.
+		leg->hasGround = leg->hadGround;
+		leg->missed = true;
+		leg->raw = old;
+		leg->toeSlope = state->toeSlope;
 		state->flags &= ~(uint32_t)sole_statePlanned;
 		return;
 	}
@@ -553,7 +557,7 @@ void soleChooseFootholds( solePlaceWork* work )
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
-			solePlanStep( work, leg );
+			solePlanStep( work, leg, old );
 		}
 		if ( leg->planned == false )
 		{

@@ -224,10 +224,13 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );
-		bool strained = soleFindStrain( work, leg ) > 1.0f || state->shortfall > SHORT;
+		float strain = soleFindStrain( work, leg );
+		bool strained = strain > 1.0f || state->shortfall > SHORT;
 		if ( possible == false || strained )
 		{
 			state->flags |= strained ? (uint32_t)sole_stateBarred : 0u;
+			// A lock that a long frame has strained was so before its end.
+			leg->since = possible && strain > 1.0f ? work->timeStep * ( 1.0f - 1.0f / strain ) : leg->since;
 			soleRelease( work, leg );
 		}
 	}

@@ -189,8 +189,11 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 	state->pelvisLead = soleStepSpring( lead, goal, 0.0f, halfLife, work->timeStep );
 	float pace = ( state->pelvisLead.value - lead.value ) / work->timeStep;
 	soleOffset1 spring = soleStepSpring( state->pelvis, lead.value, pace, halfLife, work->timeStep );
+	const soleSettings* s = work->settings;
+	float legLength = soleLongestLeg( work );
+	float bound = soleClampF( soleBind( bounds, spring.value ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
 	float carried = soleClampF( soleGroundStep( work ), -most, most );
-	float step = soleClampF( soleBind( bounds, spring.value ) - start, -most - carried, most - carried );
+	float step = soleClampF( bound - start, -most - carried, most - carried );
 	state->pelvis.value = start + step;
 	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;
 }

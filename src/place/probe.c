@@ -228,6 +228,15 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	return leg->flying && k < counts.ahead;
 }
 
+/// How much higher a place is, if the slope goes on on which the foot stood last.
+static float soleFindRise( const solePlaceWork* work, const soleLegWork* leg, soleVec3 point )
+{
+	soleVec3 normal = leg->state->planeNormal_w;
+	float up = soleDot( normal, work->up );
+	bool foreseen = leg->foreseen && up > 0.1f;
+	return foreseen ? -soleDot( soleHorizontal( work, normal ), point ) / up : 0.0f;
+}
+
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
 	const soleSettings* settings = work->settings;
@@ -248,10 +257,11 @@ int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t c
 			if ( soleChoosePoint( work, leg, k, &point ) )
 			{
 				float away = soleLength( soleHorizontal( work, point ) );
+				float rise = soleFindRise( work, leg, point );
 				float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
 				float up = settings->probe.stepUp * leg->length + further;
 				float down = settings->probe.stepDown * leg->length + further;
-				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + up ), work->root_w );
+				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + rise + up ), work->root_w );
 				probe->length = up + down;
 				probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
 			}
