@@ -1,63 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The whole pipeline from outside: what comes out, by forward kinematics, for grounds that are known exactly.
-#include "test.h"
-
-#include "biped.h"
-
-/// A ground in a world that may be turned: height over (x, z) of the upright world and the turn to the real one.
-typedef struct Ground
-{
-	float slopeX, slopeZ; // rise per metre
-	float stepX;          // height of the half x > 0
-	float hole;           // nothing there where z > hole
-	soleQuat turn;
-	float scale;
-} Ground;
-
-static const Ground flatGround = { 0.0f, 0.0f, 0.0f, 1e9f, { 0.0f, 0.0f, 0.0f, 1.0f }, 1.0f };
-
-static void castAt( const Ground* ground, const soleProbe* probe, soleHit* hit )
-{
-	memset( hit, 0, sizeof *hit );
-	hit->asked_w = probe->start_w;
-	soleVec3 start = soleScale( 1.0f / ground->scale, soleInvRotate( ground->turn, probe->start_w ) );
-	if ( start.z > ground->hole )
-	{
-		return;
-	}
-	float height = ground->slopeX * start.x + ground->slopeZ * start.z + ( start.x > 0.0f ? ground->stepX : 0.0f );
-	float way = start.y - height;
-	if ( way < 0.0f || way > probe->length / ground->scale )
-	{
-		return;
-	}
-	hit->hit = true;
-	hit->point_w = soleRotate( ground->turn, soleScale( ground->scale, soleVec( start.x, height, start.z ) ) );
-	soleVec3 normal = soleNormalizeOr( soleVec( -ground->slopeX, 1.0f, -ground->slopeZ ), soleVec( 0.0f, 1.0f, 0.0f ) );
-	hit->normal_w = soleRotate( ground->turn, normal );
-}
-
-static void step( const testBiped* biped, const soleSettings* settings, soleState* state, const soleFrame* frame,
-    const Ground* ground, soleOutput* out )
-{
-	static soleProbe probes[SOLE_MAX_PROBES];
-	static soleHit hits[SOLE_MAX_PROBES];
-	int32_t n = soleGatherProbes( biped->rig, settings, state, frame, probes, SOLE_MAX_PROBES );
-	for ( int32_t i = 0; i < n; ++i )
-	{
-		castAt( ground, probes + i, hits + i );
-	}
-	soleSolve( biped->rig, settings, state, frame, hits, n, out );
-}
-
-static soleFrame makeFrame( const soleTransform* pose )
-{
-	return ( soleFrame ){ .pose = pose,
-		.root = soleTransform_Identity(),
-		.up = { 0.0f, 1.0f, 0.0f },
-		.timeStep = 1.0f / 60.0f,
-		.weight = 1.0f };
-}
+#include "placing.h"
 
 /// The same local pose: translations within a tolerance, rotations within 1e-6 of the cosine of half their angle.
 static void nearPose( const soleTransform* a, const soleTransform* b, float tolerance )
@@ -70,18 +13,18 @@ static void nearPose( const soleTransform* a, const soleTransform* b, float tole
 }
 
 /// Stands for a second and gives the pose.
-static soleOutput stand(
-    const testBiped* biped, const soleTransform* pose, soleTransform root, const Ground* ground, soleTransform* placed )
+static soleOutput stand( const testBiped* biped, const soleTransform* pose, soleTransform root,
+    const testGround* ground, soleTransform* placed )
 {
 	soleSettings settings = soleDefaultSettings();
 	soleState state = soleDefaultState( biped->rig );
-	soleFrame frame = makeFrame( pose );
+	soleFrame frame = testFrame( pose );
 	frame.root = root;
 	frame.up = soleRotate( ground->turn, soleVec( 0.0f, 1.0f, 0.0f ) );
 	static soleOutput out;
 	for ( int i = 0; i < 60; ++i )
 	{
-		step( biped, &settings, &state, &frame, ground, &out );
+		testStep( biped, &settings, &state, &frame, ground, &out );
 	}
 	memcpy( placed, pose, sizeof( soleTransform ) * biped_count );
 	soleApply( biped->rig, &out, placed );
@@ -89,14 +32,14 @@ static soleOutput stand(
 }
 
 static float solePointHeight( const testBiped* biped, const soleTransform* pose, soleTransform root, int leg,
-    soleVec3 bindPoint, const Ground* ground )
+    soleVec3 bindPoint, const testGround* ground )
 {
 	int32_t joint = soleRig_GetFootJoint( biped->rig, leg, false );
 	soleVec3 local = soleRig_ToFootSpace( biped->rig, leg, bindPoint, false );
 	soleVec3 p = soleTransformPoint( testJoint( biped, pose, root, joint ), local );
 	soleVec3 up = soleScale( 1.0f / ground->scale, soleInvRotate( ground->turn, p ) );
-	float height = ground->slopeX * up.x + ground->slopeZ * up.z + ( up.x > 0.0f ? ground->stepX : 0.0f );
-	return ( up.y - height ) / sqrtf( 1.0f + ground->slopeX * ground->slopeX + ground->slopeZ * ground->slopeZ );
+	return ( up.y - testGroundHeight( ground, up.x, up.z ) ) /
+	    sqrtf( 1.0f + ground->slopeX * ground->slopeX + ground->slopeZ * ground->slopeZ );
 }
 
 static void flatGroundChangesNothing( void** state )
@@ -109,7 +52,7 @@ static void flatGroundChangesNothing( void** state )
 	for ( int k = 0; k < 10; ++k )
 	{
 		testBendKnees( pose, 0.05f + 0.15f * (float)k );
-		soleOutput out = stand( &biped, pose, soleTransform_Identity(), &flatGround, placed );
+		soleOutput out = stand( &biped, pose, soleTransform_Identity(), &testFlatGround, placed );
 		nearPose( placed, pose, 1e-5f );
 		assert_true( ( out.legs[0].flags & sole_legPlanted ) != 0 );
 	}
@@ -127,7 +70,7 @@ static void bothSolesLieOnEverySlope( void** state )
 	const float slopes[][2] = { { 0.0f, 0.18f }, { 0.0f, 0.36f }, { 0.0f, -0.36f }, { 0.2f, 0.0f }, { -0.2f, 0.1f } };
 	for ( int k = 0; k < 5; ++k )
 	{
-		Ground ground = flatGround;
+		testGround ground = testFlatGround;
 		ground.slopeX = slopes[k][0];
 		ground.slopeZ = slopes[k][1];
 		stand( &biped, pose, soleTransform_Identity(), &ground, placed );
@@ -152,7 +95,7 @@ static void oneFootOnAStepLowersThePelvisAndReachesBoth( void** state )
 	testMakeBiped( &biped );
 	soleTransform pose[biped_count], placed[biped_count];
 	memcpy( pose, biped.bindPose, sizeof pose );
-	Ground ground = flatGround;
+	testGround ground = testFlatGround;
 	ground.stepX = 0.15f;
 	soleTransform root = soleTransform_Identity();
 	root.translation.y = 0.15f; // a capsule rests on the higher level
@@ -175,7 +118,7 @@ static void turnedWorldsGiveTheTurnedPose( void** state )
 	soleTransform pose[biped_count], placed[biped_count], turned[biped_count];
 	memcpy( pose, biped.bindPose, sizeof pose );
 	testBendKnees( pose, 0.5f );
-	Ground ground = flatGround;
+	testGround ground = testFlatGround;
 	ground.slopeZ = 0.3f;
 	ground.slopeX = 0.1f;
 	stand( &biped, pose, soleTransform_Identity(), &ground, placed );
@@ -210,7 +153,7 @@ static void scaledWorldsGiveTheSamePose( void** state )
 	testMakeBiped( &biped );
 	soleTransform pose[biped_count], placed[biped_count], scaled[biped_count];
 	memcpy( pose, biped.bindPose, sizeof pose );
-	Ground ground = flatGround;
+	testGround ground = testFlatGround;
 	ground.slopeZ = 0.3f;
 	ground.stepX = 0.1f;
 	stand( &biped, pose, soleTransform_Identity(), &ground, placed );
@@ -233,7 +176,7 @@ static void mirroredGroundGivesTheMirroredPose( void** state )
 	testMakeBiped( &biped );
 	soleTransform pose[biped_count], placed[biped_count], mirrored[biped_count];
 	memcpy( pose, biped.bindPose, sizeof pose );
-	Ground ground = flatGround;
+	testGround ground = testFlatGround;
 	ground.slopeX = 0.25f;
 	ground.slopeZ = 0.1f;
 	stand( &biped, pose, soleTransform_Identity(), &ground, placed );
@@ -260,15 +203,15 @@ static void weightZeroAndNoGroundLeaveThePose( void** state )
 	for ( int k = 0; k < 2; ++k )
 	{
 		soleState memory = soleDefaultState( biped.rig );
-		soleFrame frame = makeFrame( biped.bindPose );
-		Ground ground = flatGround;
+		soleFrame frame = testFrame( biped.bindPose );
+		testGround ground = testFlatGround;
 		ground.slopeZ = 0.3f;
 		ground.hole = k == 0 ? 1e9f : -1e9f;
 		frame.weight = k == 0 ? 0.0f : 1.0f;
 		soleOutput out;
 		for ( int i = 0; i < 60; ++i )
 		{
-			step( &biped, &settings, &memory, &frame, &ground, &out );
+			testStep( &biped, &settings, &memory, &frame, &ground, &out );
 		}
 		soleTransform placed[biped_count];
 		memcpy( placed, biped.bindPose, sizeof placed );
@@ -294,7 +237,7 @@ static void whateverComesInFiniteGoesOut( void** state )
 		soleTransform pose[biped_count];
 		memcpy( pose, biped.bindPose, sizeof pose );
 		const float wild[] = { NAN, INFINITY, -INFINITY, 0.0f, 1e30f, -1e30f, 1e-30f, 3.0f };
-		soleFrame frame = makeFrame( pose );
+		soleFrame frame = testFrame( pose );
 		float* numbers[] = { &pose[testRandom( &seed ) % biped_count].translation.x,
 			&pose[testRandom( &seed ) % biped_count].rotation.w, &pose[testRandom( &seed ) % biped_count].scale.y,
 			&frame.root.translation.y, &frame.root.rotation.x, &frame.up.y, &frame.timeStep, &frame.weight,
@@ -303,7 +246,7 @@ static void whateverComesInFiniteGoesOut( void** state )
 		int32_t n = soleGatherProbes( biped.rig, &settings, &memory, &frame, probes, SOLE_MAX_PROBES );
 		for ( int32_t i = 0; i < n; ++i )
 		{
-			castAt( &flatGround, probes + i, hits + i );
+			testCastAt( &testFlatGround, probes + i, hits + i );
 			if ( testRandom( &seed ) % 4 == 0 )
 			{
 				float* place[] = { &hits[i].point_w.y, &hits[i].normal_w.y, &hits[i].normal_w.x, &hits[i].asked_w.z };
@@ -326,7 +269,7 @@ static void whateverComesInFiniteGoesOut( void** state )
 	}
 	// And it recovers: the next good frames are as good as ever.
 	soleTransform placed[biped_count];
-	stand( &biped, biped.bindPose, soleTransform_Identity(), &flatGround, placed );
+	stand( &biped, biped.bindPose, soleTransform_Identity(), &testFlatGround, placed );
 	testNear3( placed[biped_pelvis].translation, biped.bindPose[biped_pelvis].translation, 1e-5f );
 	soleDestroyRig( biped.rig );
 }
@@ -338,14 +281,14 @@ static void standingIsStillToTheBit( void** state )
 	testMakeBiped( &biped );
 	soleSettings settings = soleDefaultSettings();
 	soleState memory = soleDefaultState( biped.rig );
-	Ground ground = flatGround;
+	testGround ground = testFlatGround;
 	ground.slopeZ = 0.3f;
 	ground.stepX = 0.12f;
-	soleFrame frame = makeFrame( biped.bindPose );
+	soleFrame frame = testFrame( biped.bindPose );
 	soleOutput out, last;
 	for ( int i = 0; i < 240; ++i )
 	{
-		step( &biped, &settings, &memory, &frame, &ground, &out );
+		testStep( &biped, &settings, &memory, &frame, &ground, &out );
 		if ( i > 120 )
 		{
 			for ( int leg = 0; leg < 2; ++leg )
@@ -366,11 +309,11 @@ static void copiedStatesGiveTheSameBits( void** state )
 	testMakeBiped( &biped );
 	soleSettings settings = soleDefaultSettings();
 	soleState memory = soleDefaultState( biped.rig );
-	Ground ground = flatGround;
+	testGround ground = testFlatGround;
 	ground.slopeZ = 0.2f;
 	soleTransform pose[biped_count];
 	memcpy( pose, biped.bindPose, sizeof pose );
-	soleFrame frame = makeFrame( pose );
+	soleFrame frame = testFrame( pose );
 	soleOutput first[40], second[40];
 	soleState saved;
 	memset( first, 0, sizeof first );
@@ -386,7 +329,7 @@ static void copiedStatesGiveTheSameBits( void** state )
 			}
 			testBendKnees( pose, 0.3f + 0.02f * (float)i );
 			frame.root.translation.z = 0.02f * (float)i;
-			step( &biped, &settings, &memory, &frame, &ground, run == 0 ? first + i : second + i );
+			testStep( &biped, &settings, &memory, &frame, &ground, run == 0 ? first + i : second + i );
 		}
 	}
 	for ( int i = 20; i < 40; ++i )
@@ -405,17 +348,17 @@ static void noTimeChangesNothing( void** state )
 	testMakeBiped( &biped );
 	soleSettings settings = soleDefaultSettings();
 	soleState memory = soleDefaultState( biped.rig );
-	soleFrame frame = makeFrame( biped.bindPose );
+	soleFrame frame = testFrame( biped.bindPose );
 	soleOutput out, still;
-	step( &biped, &settings, &memory, &frame, &flatGround, &out );
+	testStep( &biped, &settings, &memory, &frame, &testFlatGround, &out );
 	frame.timeStep = 0.0f;
 	for ( int i = 0; i < 10; ++i )
 	{
-		step( &biped, &settings, &memory, &frame, &flatGround, &still );
+		testStep( &biped, &settings, &memory, &frame, &testFlatGround, &still );
 		assert_memory_equal( out.legs[0].rotations_l, still.legs[0].rotations_l, sizeof( soleQuat ) * 3 );
 	}
 	frame.timeStep = 1.0f;
-	step( &biped, &settings, &memory, &frame, &flatGround, &still );
+	testStep( &biped, &settings, &memory, &frame, &testFlatGround, &still );
 	assert_memory_equal( out.legs[0].rotations_l, still.legs[0].rotations_l, sizeof( soleQuat ) * 3 );
 	soleDestroyRig( biped.rig );
 }
@@ -430,14 +373,14 @@ static void movingTheWorldsOriginMovesNothing( void** state )
 	soleState memory[2] = { soleDefaultState( biped.rig ), soleDefaultState( biped.rig ) };
 	for ( int i = 0; i < 60; ++i )
 	{
-		soleFrame frame = makeFrame( biped.bindPose );
+		soleFrame frame = testFrame( biped.bindPose );
 		frame.root.translation.x = 0.002f * (float)i;
-		step( &biped, &settings, memory, &frame, &flatGround, &plain );
+		testStep( &biped, &settings, memory, &frame, &testFlatGround, &plain );
 		// The same place, told from an origin that jumps by a kilometre halfway.
 		double origin = i < 30 ? 0.0 : 1024.0;
 		frame.worldOrigin[0] = origin;
 		frame.root.translation.x = (float)( 0.002 * i - origin );
-		step( &biped, &settings, memory + 1, &frame, &flatGround, &shifted );
+		testStep( &biped, &settings, memory + 1, &frame, &testFlatGround, &shifted );
 		for ( int leg = 0; leg < 2; ++leg )
 		{
 			assert_true( fabsf( soleDotQuat( plain.legs[leg].rotations_l[0], shifted.legs[leg].rotations_l[0] ) ) >
@@ -462,27 +405,27 @@ static void aTeleportForgetsEverything( void** state )
 	testBiped biped;
 	testMakeBiped( &biped );
 	soleSettings settings = soleDefaultSettings();
-	Ground ground = flatGround;
+	testGround ground = testFlatGround;
 	ground.slopeZ = 0.25f;
 	ground.stepX = 0.1f;
 	for ( int way = 0; way < 3; ++way )
 	{
 		soleState memory = soleDefaultState( biped.rig );
 		soleState fresh = soleDefaultState( biped.rig );
-		soleFrame frame = makeFrame( biped.bindPose );
+		soleFrame frame = testFrame( biped.bindPose );
 		soleOutput out, first;
 		memset( &out, 0, sizeof out );
 		memset( &first, 0, sizeof first );
 		for ( int i = 0; i < 60; ++i )
 		{
 			frame.root.translation.z = 0.003f * (float)i;
-			step( &biped, &settings, &memory, &frame, &ground, &out );
+			testStep( &biped, &settings, &memory, &frame, &ground, &out );
 		}
 		frame.root.translation = soleVec( 0.3f, 0.1f, way == 2 ? 12.0f : 0.4f );
 		frame.teleport = way == 0;
 		way == 1 ? soleState_Reset( &memory ) : (void)0;
-		step( &biped, &settings, &memory, &frame, &ground, &out );
-		step( &biped, &settings, &fresh, &frame, &ground, &first );
+		testStep( &biped, &settings, &memory, &frame, &ground, &out );
+		testStep( &biped, &settings, &fresh, &frame, &ground, &first );
 		for ( int leg = 0; leg < 2; ++leg )
 		{
 			assert_memory_equal( out.legs[leg].rotations_l, first.legs[leg].rotations_l, sizeof( soleQuat ) * 3 );
@@ -503,7 +446,7 @@ static void aFootIsHeldWhereItWasWhileTheHostSaysSo( void** state )
 	testBendKnees( pose, 0.6f );
 	soleSettings settings = soleDefaultSettings();
 	soleState memory = soleDefaultState( biped.rig );
-	soleFrame frame = makeFrame( pose );
+	soleFrame frame = testFrame( pose );
 	// The root moves on at 0.5 m/s; the left foot is said to be down, the right one to be free.
 	const soleContactInput contact[2] = { { 1.0f, 1.0f }, { 0.0f, 0.0f } };
 	frame.contact = contact;
@@ -513,7 +456,7 @@ static void aFootIsHeldWhereItWasWhileTheHostSaysSo( void** state )
 	for ( int i = 0; i < 20; ++i )
 	{
 		frame.root.translation.z = 0.5f * (float)i / 60.0f;
-		step( &biped, &settings, &memory, &frame, &flatGround, &out );
+		testStep( &biped, &settings, &memory, &frame, &testFlatGround, &out );
 		memcpy( placed, pose, sizeof placed );
 		soleApply( biped.rig, &out, placed );
 		soleVec3 ball = soleTransformPoint( testJoint( &biped, placed, frame.root, biped_ankleL ), local );
@@ -542,9 +485,9 @@ static void aFootInFlightRisesBeforeTheStepThatIsAhead( void** state )
 		soleSettings settings = soleDefaultSettings();
 		settings.support.lookAhead = way == 0 ? 0.0f : 0.08f;
 		soleState memory = soleDefaultState( biped.rig );
-		Ground ground = flatGround;
+		testGround ground = testFlatGround;
 		ground.stepX = 0.15f; // the character goes sideways here: its step is across its way
-		soleFrame frame = makeFrame( pose );
+		soleFrame frame = testFrame( pose );
 		frame.root.rotation = testTurn( soleVec( 0.0f, 1.0f, 0.0f ), 1.5707963f ); // faces +X
 		const soleContactInput contact[2] = { { 0.0f, 0.0f }, { 1.0f, 1.0f } };
 		frame.contact = contact;
@@ -555,7 +498,7 @@ static void aFootInFlightRisesBeforeTheStepThatIsAhead( void** state )
 			// The left foot flies at 2 m/s, 3 cm over the floor.
 			frame.clipFloor = -0.03f;
 			frame.root.translation = soleVec( -0.8f + 2.0f * (float)i / 60.0f, 0.03f, 0.0f );
-			step( &biped, &settings, &memory, &frame, &ground, &out );
+			testStep( &biped, &settings, &memory, &frame, &ground, &out );
 			memcpy( placed, pose, sizeof placed );
 			soleApply( biped.rig, &out, placed );
 			soleVec3 p = soleTransformPoint( testJoint( &biped, placed, frame.root, biped_ankleL ), tip );
@@ -594,7 +537,7 @@ static void settledPoseIsContinuousInTheGround( void** state )
 			for ( int i = 0; i <= 200; ++i )
 			{
 				float x = -1.0f + 0.01f * (float)i;
-				Ground ground = flatGround;
+				testGround ground = testFlatGround;
 				ground.stepX = sweep == 0 ? 0.3f * x : 0.0f;
 				ground.slopeZ = sweep == 1 ? 0.6f * x : 0.0f;
 				ground.slopeX = sweep == 2 ? 0.5f * x : 0.1f;
@@ -616,12 +559,12 @@ static void misuseIsRefusedSafely( void** state )
 	soleSetAssertHandler( quietHandler );
 	soleSettings settings = { 0 }; // zeroed: not made by the default function
 	soleState memory = { 0 };
-	soleFrame frame = makeFrame( biped.bindPose );
+	soleFrame frame = testFrame( biped.bindPose );
 	soleOutput out, plain;
-	step( &biped, &settings, &memory, &frame, &flatGround, &out );
+	testStep( &biped, &settings, &memory, &frame, &testFlatGround, &out );
 	soleSettings good = soleDefaultSettings();
 	memory = soleDefaultState( biped.rig );
-	step( &biped, &good, &memory, &frame, &flatGround, &plain );
+	testStep( &biped, &good, &memory, &frame, &testFlatGround, &plain );
 	assert_memory_equal( out.legs[0].rotations_l, plain.legs[0].rotations_l, sizeof( soleQuat ) * 3 );
 	assert_int_equal( soleGatherProbes( NULL, &good, &memory, &frame, NULL, 0 ), 0 );
 	soleSolve( biped.rig, &good, &memory, NULL, NULL, 0, &out );
