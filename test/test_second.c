@@ -201,6 +201,21 @@ static void aSecondPoseThatIsNotWantedChangesNothing( void** state )
 	testEndRun( &c.run );
 }
 
+static void aSecondPoseThatIsGivenLaterBlendsInFromZero( void** state )
+{
+	(void)state;
+	static Climber c;
+	start( &c, 0.6f );
+	c.run.frame.secondPose = NULL;
+	testStepSeconds( &c.run, 1.0f );
+	c.run.frame.secondPose = c.second;
+	testStepRun( &c.run );
+	assert_true( c.run.out.secondWeight < 0.05f );
+	testStepSeconds( &c.run, 1.0f );
+	assert_float_equal( c.run.out.secondWeight, 1.0f, 1e-3f );
+	testEndRun( &c.run );
+}
+
 static bool quietHandler( const char* condition, const char* file, int line )
 {
 	(void)condition;
@@ -239,6 +254,7 @@ int main( void )
 #endif
 		cmocka_unit_test( withoutASecondPoseAllIsAsEver ),
 		cmocka_unit_test( aSecondPoseThatIsNotWantedChangesNothing ),
+		cmocka_unit_test( aSecondPoseThatIsGivenLaterBlendsInFromZero ),
 		cmocka_unit_test( misuseIsRefusedSafely ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );
