@@ -220,6 +220,47 @@ static void aLegWithinReachKeepsItsBones( void** state )
 	testEndRun( &run );
 }
 
+#if TEST_OPEN // F5
+/// A joint that is none of the leg's own sits in the left thigh: it has a share of the bone too.
+static void aLegWithAJointInItsThighStretchesAlike( void** state )
+{
+	(void)state;
+	static testRun run;
+	startReaching( &run, 0.96f );
+	soleDestroyRig( run.biped.rig );
+	soleRigDef def = testBipedDef( &run.biped );
+	int32_t parents[biped_count + 1];
+	soleTransform pose[biped_count + 1];
+	memcpy( parents, run.biped.parents, sizeof run.biped.parents );
+	memcpy( pose, run.pose, sizeof run.pose );
+	parents[biped_count] = biped_hipL;
+	parents[biped_kneeL] = biped_count;
+	pose[biped_count] = testAt( 0.0f, -0.2f, 0.0f );
+	pose[biped_kneeL].translation.y = -0.25f;
+	def.jointCount = biped_count + 1;
+	def.parents = parents;
+	def.bindPose = pose;
+	assert_int_equal( soleCreateRig( &def, NULL, &run.biped.rig, NULL ), sole_success );
+	run.state = soleDefaultState( run.biped.rig );
+	run.frame.pose = pose;
+	run.settings.leg.stretch = 0.01f;
+	for ( int32_t i = 0; i < 60; ++i )
+	{
+		run.ground.stepX = i < 5 ? 0.0f : ( 0.96f - 1.008f * softReach( &run ) ) * LEG;
+		testStep( &run.biped, &run.settings, &run.state, &run.frame, &run.ground, &run.out );
+	}
+	assert_float_equal( run.out.legs[0].stretch, 1.008f, 1e-3f );
+	soleApply( run.biped.rig, &run.out, pose );
+	soleTransform ankle = pose[biped_ankleL];
+	for ( int32_t j = parents[biped_ankleL]; j != SOLE_NONE; j = parents[j] )
+	{
+		ankle = soleMulTransform( pose[j], ankle );
+	}
+	testNear3( ankle.translation, run.out.legs[0].ankle_w, 1e-4f );
+	testEndRun( &run );
+}
+#endif
+
 // ------------------------------------------------------------------------------------------------------------ twist
 
 /// Angle by which a leg's knee is turned about the line from hip to ankle, outwards, against another pose's.
@@ -319,6 +360,9 @@ int main( void )
 		cmocka_unit_test( aLegStretchesToReachATargetThatIsALittleTooFar ),
 		cmocka_unit_test( aLegStretchesByNoMoreThanTheSetting ),
 		cmocka_unit_test( aLegWithinReachKeepsItsBones ),
+#if TEST_OPEN // F5
+		cmocka_unit_test( aLegWithAJointInItsThighStretchesAlike ),
+#endif
 		cmocka_unit_test( theThighTakesItsShareOfAFootsTurn ),
 		cmocka_unit_test( aLegFoldsNoFurtherThanTheSetting ),
 		cmocka_unit_test( anAnimationMayFoldItsLegsFurther ),
