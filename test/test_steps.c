@@ -213,10 +213,12 @@ static void heelAndToeHaveTimesOfTheirOwn( void** state )
 
 // --------------------------------------------------------------------------------------------------------- reading
 
-/// Left: one step within the clip of 1 s; right: one over its seam.
-static const soleStep walkSteps[2] = {
+/// Left: one step within the clip of 1 s; right: one over its seam; a third leg: two.
+static const soleStep walkSteps[4] = {
 	{ 0, 0.2f, 0.7f, 0.2f, 0.5f, 0.3f, 0.7f, { 0.1f, 0.0f, 0.4f }, { 0.0f, 0.0f, 1.0f } },
 	{ 1, 0.8f, 1.3f, 0.8f, 1.1f, 0.9f, 1.3f, { -0.1f, 0.0f, 0.3f }, { 0.6f, 0.0f, 0.8f } },
+	{ 2, 0.1f, 0.3f, 0.1f, 0.3f, 0.1f, 0.3f, { 0.0f, 0.0f, 0.1f }, { 0.0f, 0.0f, 1.0f } },
+	{ 2, 0.6f, 0.8f, 0.6f, 0.8f, 0.6f, 0.8f, { 0.0f, 0.0f, 0.2f }, { 0.0f, 0.0f, 1.0f } },
 };
 
 typedef struct Reading
@@ -233,7 +235,7 @@ static void checkReadings( bool loops, const Reading* readings, int32_t count )
 		soleContactInput contact;
 		soleStepInput step;
 		const Reading* r = readings + i;
-		soleGetStepInput( walkSteps, 2, 1.0f, loops, r->time, r->leg, &contact, &step );
+		soleGetStepInput( walkSteps, 4, 1.0f, loops, r->time, r->leg, &contact, &step );
 		assert_float_equal( contact.heel, r->heel, 0.0f );
 		assert_float_equal( contact.toe, r->toe, 0.0f );
 		assert_float_equal( step.since, r->since, 1e-6f );
@@ -267,6 +269,25 @@ static void stepsOfALoopAreReadBeforeInAndAfterContact( void** state )
 	checkReadings( true, readings, sizeof readings / sizeof readings[0] );
 }
 
+static void theNextOfSeveralStepsIsTold( void** state )
+{
+	(void)state;
+	for ( int32_t i = 0; i < 100; ++i )
+	{
+		float time = ( (float)i + 0.5f ) * 0.01f;
+		soleContactInput contact;
+		soleStepInput step;
+		soleGetStepInput( walkSteps, 4, 1.0f, true, time, 2, &contact, &step );
+		float phase = fmodf( time + 0.4f, 0.5f ); // since a strike
+		bool down = phase < 0.2f;
+		assert_true( down == ( contact.heel > 0.0f && contact.toe > 0.0f ) );
+		assert_float_equal( step.since, down ? phase : phase - 0.2f, 1e-5f );
+		assert_float_equal( step.until, down ? 0.2f - phase : 0.5f - phase, 1e-5f );
+		bool second = time > 0.3f && time < 0.8f;
+		assert_float_equal( step.place.z, second ? 0.2f : 0.1f, 0.0f );
+	}
+}
+
 static void whatAClipThatDoesNotLoopCannotKnowIsNotTold( void** state )
 {
 	(void)state;
@@ -295,7 +316,7 @@ static void thePartsOfAContactAddUp( void** state )
 		{
 			soleContactInput contact;
 			soleStepInput step;
-			soleGetStepInput( walkSteps, 2, 1.0f, true, ( (float)i + 0.5f ) * 1e-3f, leg, &contact, &step );
+			soleGetStepInput( walkSteps, 4, 1.0f, true, ( (float)i + 0.5f ) * 1e-3f, leg, &contact, &step );
 			down += contact.heel > 0.0f || contact.toe > 0.0f;
 			assert_float_equal( step.since + step.until, 0.5f, 1e-5f );
 		}
@@ -452,7 +473,7 @@ static void misuseIsRefusedSafely( void** state )
 	assert_int_equal( soleFindSteps( NULL, m.labels, true, NULL, steps, MAX_STEPS ), 0 );
 	assert_int_equal( soleFindSteps( &m.motion, NULL, true, NULL, steps, MAX_STEPS ), 0 );
 	assert_int_equal( soleFindSteps( &m.motion, m.labels, true, NULL, NULL, 3 ), 0 );
-	soleGetStepInput( walkSteps, 2, 1.0f, true, 0.5f, 0, NULL, NULL );
+	soleGetStepInput( walkSteps, 4, 1.0f, true, 0.5f, 0, NULL, NULL );
 	soleStepInput_Travel( NULL, soleTransform_Identity() );
 	rigMemory memory = { .left = 0 };
 	soleAllocator allocator = { rigAlloc, rigFree, &memory };
@@ -473,6 +494,7 @@ int main( void )
 		cmocka_unit_test( aTurnedAndScaledRootSeesTheSamePlace ),
 		cmocka_unit_test( heelAndToeHaveTimesOfTheirOwn ),
 		cmocka_unit_test( stepsOfALoopAreReadBeforeInAndAfterContact ),
+		cmocka_unit_test( theNextOfSeveralStepsIsTold ),
 		cmocka_unit_test( whatAClipThatDoesNotLoopCannotKnowIsNotTold ),
 		cmocka_unit_test( thePartsOfAContactAddUp ),
 		cmocka_unit_test( rootsGoOnAsTheyGo ),
