@@ -391,14 +391,6 @@ static void movingTheWorldsOriginMovesNothing( void** state )
 	soleDestroyRig( biped.rig );
 }
 
-static bool quietHandler( const char* condition, const char* file, int line )
-{
-	(void)condition;
-	(void)file;
-	(void)line;
-	return false;
-}
-
 static void aTeleportForgetsEverything( void** state )
 {
 	(void)state;
@@ -556,7 +548,7 @@ static void misuseIsRefusedSafely( void** state )
 	(void)state;
 	testBiped biped;
 	testMakeBiped( &biped );
-	soleSetAssertHandler( quietHandler );
+	soleSetAssertHandler( testQuietHandler );
 	soleSettings settings = { 0 }; // zeroed: not made by the default function
 	soleState memory = { 0 };
 	soleFrame frame = testFrame( biped.bindPose );

@@ -216,21 +216,13 @@ static void aSecondPoseThatIsGivenLaterBlendsInFromZero( void** state )
 	testEndRun( &c.run );
 }
 
-static bool quietHandler( const char* condition, const char* file, int line )
-{
-	(void)condition;
-	(void)file;
-	(void)line;
-	return false;
-}
-
 static void misuseIsRefusedSafely( void** state )
 {
 	(void)state;
 	static Climber c;
 	start( &c, 0.6f );
 	testStepSeconds( &c.run, 1.0f );
-	soleSetAssertHandler( quietHandler );
+	soleSetAssertHandler( testQuietHandler );
 	soleTransform pose[biped_count];
 	memcpy( pose, c.run.pose, sizeof pose );
 	soleBlendSecondPose( NULL, &c.run.out, c.second, pose );

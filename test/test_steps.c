@@ -455,18 +455,10 @@ static void aFootIsForetoldAtOnePlaceAllItsWay( void** state )
 	soleDestroyRig( rig );
 }
 
-static bool quietHandler( const char* condition, const char* file, int line )
-{
-	(void)condition;
-	(void)file;
-	(void)line;
-	return false;
-}
-
 static void misuseIsRefusedSafely( void** state )
 {
 	(void)state;
-	soleSetAssertHandler( quietHandler );
+	soleSetAssertHandler( testQuietHandler );
 	soleRig* rig = rigMake();
 	rigMotion m = makeWalk( rig, 1, 60.0f, 1.0 );
 	soleStep steps[MAX_STEPS];
