@@ -138,10 +138,12 @@ static soleVec3 soleProbePoint(
 	return soleMulAdd( p, sideways * work->rootScale, side );
 }
 
-/// 1: the foot has just set out, 0: its foothold is chosen for the last time.
+/// 1: the foot has just set out, 0: its foothold is chosen for the last time. By the number of the choice, not by the
+/// time at which a frame happens to make it: the same places are asked at every frame rate.
 static float soleIsFar( const soleLegWork* leg )
 {
-	return soleSaturate( ( leg->stepInput.until - CHOICE_TIME ) / STRIP_TIME );
+	float number = (float)(int32_t)soleMinF( leg->stepInput.until / CHOICE_TIME, 100.0f );
+	return soleSaturate( number * CHOICE_TIME / STRIP_TIME );
 }
 
 /// Probe k of count along the strip: evenly over all of it while the foot is far; when it is near, over the sole, most
