@@ -4,6 +4,7 @@
 
 #include "scene_pose.h"
 #include "scene_run.h"
+#include "scene_steps.h"
 
 // ---------------------------------------------------------------------------------------------------------- the world
 
@@ -99,6 +100,8 @@ void testOpenActor( testActor* actor )
 		assert_true( clip != SOLE_NONE );
 		assert_true( toolBindClip( &actor->character, model, clip, actor->clips + i, &error ) );
 		actor->travels[i] = toolFindTravel( &actor->character, actor->clips + i );
+		toolFindSteps( &actor->character, actor->clips + i, actor->travels + i, actor->steps + i );
+		assert_true( actor->steps[i].count >= actor->character.rigDef.legCount );
 	}
 }
 
@@ -106,6 +109,7 @@ void testCloseActor( testActor* actor )
 {
 	for ( int32_t i = 0; i < sole_gaitCount; ++i )
 	{
+		toolFreeSteps( actor->steps + i );
 		toolFreeBoundClip( actor->clips + i );
 	}
 	toolFreeCharacter( &actor->character );
@@ -200,6 +204,9 @@ static void testStep( const testRun* run, testHost* host, int32_t index, soleTra
 	const soleRig* rig = run->rigs[index];
 	soleGroundPiece pieces[SOLE_SCENE_MAX_PIECES];
 	soleSupport supports[SOLE_SCENE_MAX_PIECES];
+	soleContactInput contacts[SOLE_MAX_LEGS];
+	soleStepInput steps[SOLE_MAX_LEGS];
+	bool labelled = testReadSteps( run, index, contacts, steps );
 	int32_t pieceCount = testGetPieces( run->world, TEST_FEET_LAYERS, run->times[index], moment->origin, pieces );
 	soleFrame frame = {
 		.pose = run->input + (size_t)index * (size_t)run->jointCount,
@@ -207,6 +214,8 @@ static void testStep( const testRun* run, testHost* host, int32_t index, soleTra
 		.up = soleVec( 0.0f, 1.0f, 0.0f ),
 		.timeStep = (float)run->steps[index],
 		.weight = (float)moment->weight,
+		.contact = labelled ? contacts : NULL,
+		.steps = labelled ? steps : NULL,
 		.clipFloor = run->actor->travels[moment->gait].clipFloor,
 		.supports = supports,
 		.supportCount = testGetSupports( pieces, pieceCount, supports ),

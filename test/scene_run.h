@@ -8,6 +8,7 @@
 #include "motion.h"
 #include "sole/ground.h"
 #include "source.h"
+#include "steps.h"
 
 /// A scene that can be asked: by probes, and exactly.
 typedef struct testWorld
@@ -35,6 +36,7 @@ typedef struct testActor
 	toolCharacter character;
 	toolBoundClip clips[sole_gaitCount];
 	toolTravel travels[sole_gaitCount];
+	toolSteps steps[sole_gaitCount];
 } testActor;
 
 void testOpenActor( testActor* actor );

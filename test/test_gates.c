@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every act on every scene, judged by the gates: one row each, then what runs are compared for. Decisive gates have to
-// be met, but those that are listed in gates_not_yet.h: these have to fail, so that they are taken off the list in
-// time.
+// Every act on every scene, judged by the gates: one row each, many walks a second one without labels of their clips,
+// then what runs are compared for. Decisive gates have to be met, but those that are listed in gates_not_yet.h: these
+// have to fail, so that they are taken off the list in time.
 #include "test.h"
 
 #include "gates_not_yet.h"
@@ -134,7 +134,7 @@ static void testPrintRow( const char* name, const testGates* g, uint32_t failed,
 {
 	testFigure figures[MOST_FIGURES];
 	int32_t count = testListFigures( g, figures );
-	printf( "%-26s", name );
+	printf( "%-32s", name );
 	for ( int32_t i = 0; i < count; ++i )
 	{
 		bool bad = ( failed & figures[i].gates ) != 0;
@@ -253,6 +253,30 @@ static testGates testPlayRow( const testWorld* world, const soleAct* act )
 	return gates;
 }
 
+/// @return whether the row is as the list has it
+static bool testCheckRow( const testWorld* world, const soleAct* act, const char* name )
+{
+	uint32_t decisive = testGetDecisive( act, name );
+	testGates gates = testPlayRow( world, act );
+	uint32_t failed = testFindFailed( &gates );
+	testPrintRow( name, &gates, failed, decisive );
+	bool good = testJudge( name, failed, decisive );
+	if ( good == false )
+	{
+		testPrintNotYet( name, &gates, failed & decisive );
+	}
+	return good;
+}
+
+/// Walks that are played a second time by a host that knows nothing of contacts: those are to be found by motion too.
+static bool testIsPlayedUnlabelled( const soleAct* act )
+{
+	int test = 10 * ( act->scene[1] - '0' ) + act->scene[2] - '0';
+	bool own = act->name[0] != 'T';
+	bool listed = test <= 2 || ( test >= 11 && test <= 20 );
+	return own && listed && act->course.speed > 0.0 && act->host.unlabelled == false;
+}
+
 static void everyActMeetsItsGates( void** state )
 {
 	(void)state;
@@ -270,14 +294,13 @@ static void everyActMeetsItsGates( void** state )
 		}
 		char name[64];
 		snprintf( name, sizeof name, "%s %s", act->scene, act->name );
-		uint32_t decisive = testGetDecisive( act, name );
-		testGates gates = testPlayRow( &world, act );
-		uint32_t failed = testFindFailed( &gates );
-		testPrintRow( name, &gates, failed, decisive );
-		if ( testJudge( name, failed, decisive ) == false )
+		good = testCheckRow( &world, act, name ) && good;
+		if ( testIsPlayedUnlabelled( act ) )
 		{
-			testPrintNotYet( name, &gates, failed & decisive );
-			good = false;
+			soleAct blind = *act;
+			blind.host.unlabelled = true;
+			snprintf( name, sizeof name, "%s %s unlabelled", act->scene, act->name );
+			good = testCheckRow( &world, &blind, name ) && good;
 		}
 	}
 	testCloseWorld( &world );
