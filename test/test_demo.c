@@ -33,11 +33,11 @@ enum
 };
 
 static const testFigure testFigures[test_figureCount] = {
-	{ "penetration p95, mm", 100.3, 9.956 },
-	{ "hover p95, mm", 34.75, 38.06 },
-	{ "slide, cm/s", 3.018, 2.496 },
-	{ "knee acceleration RMS, ratio to flat ground", 1.0, 2.128 },
-	{ "pelvis, largest step of a frame, mm", 173.0, 15.77 },
+	{ "penetration p95, mm", 100.3, 3.445 },
+	{ "hover p95, mm", 34.75, 2.648 },
+	{ "slide, cm/s", 3.018, 0.7182 },
+	{ "knee acceleration RMS, ratio to flat ground", 1.000, 1.284 },
+	{ "pelvis, largest step of a frame, mm", 173.0, 18.96 },
 };
 
 // Gates of the demo, whatever the table says.
@@ -103,12 +103,19 @@ static soleVec3 testJointOf( const testTake* take, const soleTransform* poses, i
 	return soleTransformPoint( take->result.walk.roots[frame], t.translation );
 }
 
-// Furthest that Sole moves an ankle on flat ground, m.
+#define GROUND_END 10.0f // m
+
+// Furthest that Sole moves an ankle on flat ground, m. Not where the ground ends: a step that would land in the air is
+// shifted back.
 static double testFarthestAnkle( const testTake* take )
 {
 	double farthest = 0.0;
 	for ( int32_t frame = 0; frame < take->result.walk.frameCount; ++frame )
 	{
+		if ( take->result.walk.roots[frame].translation.z > GROUND_END - 2.0f )
+		{
+			break;
+		}
 		for ( int32_t leg = 0; leg < take->character.rigDef.legCount; ++leg )
 		{
 			const soleLegDef* def = take->character.rigDef.legs + leg;
@@ -205,7 +212,7 @@ static void theDemoHasTheSameBits( void** state )
 		hash = testHashQuat( hash, take.result.output[i].rotation );
 	}
 	testCloseTake( &take );
-	testCheckHash( "the demo", hash, 0xe6eefdb1909edd93ull );
+	testCheckHash( "the demo", hash, 0x8744efdf382b8c75ull );
 }
 
 // A turn about x whose angle's quarter has this tangent: no trigonometry.
@@ -314,7 +321,7 @@ static void theLibraryHasTheSameBits( void** state )
 	soleDestroyRig( biped.rig );
 	// It is a walk.
 	assert_in_range( planted, frames / 5, frames * 4 / 5 );
-	testCheckHash( "the library", hash, 0x57f3391ab9832c83ull );
+	testCheckHash( "the library", hash, 0xa792e6fcad7cdbbdull );
 }
 
 int main( void )

@@ -192,7 +192,7 @@ typedef struct soleSettings
 		float halfLife; // s [0, 2] default 0.08
 		float hold;    // it stays down for so long after it had to, to be there for the next step. s [0, 4] default 1.2
 		float release; // half-life of its way up from there. s [0, 4] default 0.2
-		float speed;   // fastest that it moves, beyond the root's own motion. L/s [0, 100] default 0.9
+		float speed;   // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.9
 		float
 		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
 	} pelvis;
@@ -378,6 +378,14 @@ typedef struct soleOffset1
 	float velocity;
 } soleOffset1;
 
+/// The body that a leg stands on, as it was in the last frame.
+typedef struct soleBodyState
+{
+	int32_t surface;
+	soleQuat rotation;
+	soleVec3 place; // world; the velocity of one that is not listed
+} soleBodyState;
+
 /// What Sole remembers of one leg. World positions are in the last frame's world coordinates.
 typedef struct soleLegState
 {
@@ -392,15 +400,16 @@ typedef struct soleLegState
 	soleVec3 stepPlace_w; // where it is going to, or stands: ball
 	soleVec3 stepNormal_w;
 	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
-	float toeSlope;         // of the ground in front of the ball over the plane, as last known
-	soleOffset1 toe;        // what is left of its changes
-	float chosenOver;       // how far its plane is over what is met under it
-	float stepLift[3];      // by how much its way is lifted over what lies between, at 1/4, 1/2 and 3/4
-	soleOffset3 slide;      // horizontal offset of the foot from the animation
-	soleOffset1 turn;       // heading offset, tan( angle / 4 )
-	soleOffset1 height;     // what is left of ground steps
-	soleOffset3 gradient;   // what is left of slope changes
-	float heelRise;         // their heights over the clip's floor
+	soleBodyState body;
+	float toeSlope;       // of the ground in front of the ball over the plane, as last known
+	soleOffset1 toe;      // what is left of its changes
+	float chosenOver;     // how far its plane is over what is met under it
+	float stepLift[3];    // by how much its way is lifted over what lies between, at 1/4, 1/2 and 3/4
+	soleOffset3 slide;    // horizontal offset of the foot from the animation
+	soleOffset1 turn;     // heading offset, tan( angle / 4 )
+	soleOffset1 height;   // what is left of ground steps
+	soleOffset3 gradient; // what is left of slope changes
+	float heelRise;       // their heights over the clip's floor
 	float ballRise;
 	float heelSpeed; // their speeds over the ground
 	float ballSpeed;
@@ -417,6 +426,7 @@ typedef struct soleState
 	soleOffset1 pelvis;     // offset of the pelvis along up over the ground that the body is over
 	soleOffset1 pelvisLead; // which that follows
 	float pelvisHeld;       // where that has to go, as low as it had to lately
+	float bodyGround;       // height of that ground over the root
 	float pelvisHeldTime;   // for how long it had not to, s
 	double worldOrigin[3];
 	int32_t internalValue;

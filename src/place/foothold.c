@@ -230,7 +230,7 @@ static soleVec3 soleChoosePlace( const solePlaceWork* work, const soleLegWork* l
 	const soleLegState* state = leg->state;
 	bool planned = ( state->flags & sole_statePlanned ) != 0;
 	float apart = work->settings->foothold.shift * leg->length / (float)SHIFTS;
-	soleVec3 last = planned ? soleSub( state->stepPlace_w, work->root_w ) : leg->landing;
+	soleVec3 last = planned ? soleLevelPlace( work, leg ) : leg->landing;
 	soleVec3 best = last;
 	float least = soleCostOf( work, leg, last );
 	soleTryPlaces( work, leg, leg->landing, apart, last, &best, &least );
@@ -242,7 +242,7 @@ static soleVec3 soleChoosePlace( const solePlaceWork* work, const soleLegWork* l
 static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
-	soleVec3 apart = soleHorizontal( work, soleSub( soleSub( state->stepPlace_w, work->root_w ), leg->landing ) );
+	soleVec3 apart = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), leg->landing ) );
 	return ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < work->settings->foothold.freeze &&
 	    soleLength( apart ) < 2.0f * work->settings->foothold.shift * leg->length;
 }
@@ -254,6 +254,9 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	bool planned = ( state->flags & sole_statePlanned ) != 0;
 	if ( planned && leg->sampleCount == 0 )
 	{
+		// A body that is not listed goes on as it went.
+		leg->surface = state->body.surface;
+		leg->surfaceVelocity = ( state->flags & sole_stateRides ) != 0 ? leg->surfaceVelocity : state->body.place;
 		return true;
 	}
 	soleVec3 place = soleChoosePlace( work, leg );
@@ -262,12 +265,15 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	{
 		return false;
 	}
+	place = soleAdd( place, soleTiltShift( work, leg, rest.plane.normal ) );
 	place = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
 	state->stepPlace_w = soleAdd( place, work->root_w );
 	state->stepNormal_w = rest.plane.normal;
 	state->stepLanding_w = soleAdd( leg->landing, work->root_w );
 	state->toeSlope = rest.toeSlope;
 	leg->out->confidence = rest.confidence;
+	leg->surface = rest.surface;
+	leg->surfaceVelocity = rest.velocity;
 	return true;
 }
 
@@ -351,7 +357,7 @@ static solePlane soleRememberPlane( const solePlaceWork* work, const soleLegWork
 static soleStand soleStandOnWay( const soleLegWork* leg, const soleWay* way )
 {
 	float time = soleShareOfTime( leg );
-	return ( soleStand ){ way->from, way->to, time, soleSmoothly( time ) };
+	return ( soleStand ){ way->from, way->to, time, time * time * ( 3.0f - 2.0f * time ) };
 }
 
 static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, solePlane plane )

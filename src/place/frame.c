@@ -56,6 +56,8 @@ static void soleShiftState( soleState* state, const soleFrame* frame, int32_t le
 		leg->planePoint_w = soleAdd( leg->planePoint_w, shift );
 		leg->stepPlace_w = soleAdd( leg->stepPlace_w, shift );
 		leg->stepLanding_w = soleAdd( leg->stepLanding_w, shift );
+		bool rides = ( leg->flags & sole_stateRides ) != 0;
+		leg->body.place = rides ? soleAdd( leg->body.place, shift ) : leg->body.place;
 	}
 }
 
@@ -64,7 +66,7 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->pelvis.value ) &&
 	    soleIsFinite( state->pelvis.velocity ) &&
 	    soleIsFinite( state->pelvisLead.value + state->pelvisLead.velocity ) && soleIsFinite( state->pelvisHeld ) &&
-	    soleIsFinite( state->pelvisHeldTime );
+	    soleIsFinite( state->pelvisHeldTime + state->bodyGround );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
 		const soleLegState* leg = state->legs + i;
@@ -77,6 +79,7 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleIsFinite( leg->toe.value + leg->toe.velocity ) && soleIsFinite( leg->toeSlope + leg->chosenOver ) &&
 		    soleVec3_IsFinite( leg->slide.value ) && soleVec3_IsFinite( leg->slide.velocity ) &&
 		    soleVec3_IsFinite( leg->gradient.value ) && soleVec3_IsFinite( leg->gradient.velocity ) &&
+		    soleQuat_IsFinite( leg->body.rotation ) && soleVec3_IsFinite( leg->body.place ) &&
 		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
 		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
 		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) &&
@@ -109,6 +112,10 @@ static void soleForget( soleState* state, int32_t legCount )
 {
 	state->pelvis = ( soleOffset1 ){ 0.0f, 0.0f };
 	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
+	for ( int32_t i = 0; i < legCount; ++i )
+	{
+		state->legs[i].body.surface = SOLE_NONE;
+	}
 }
 
 /// What the host knows of a leg's steps, where that is usable.
@@ -167,6 +174,7 @@ void soleSetUpFrame( solePlaceWork* work )
 		}
 		leg->stepInput = soleTakeStepInput( frame, i );
 	}
+	soleCarryLegs( work );
 }
 
 // ----------------------------------------------------------------------------------------------------------- states

@@ -68,7 +68,7 @@ static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float tim
 	soleLegState* state = leg->state;
 	if ( leg->planned )
 	{
-		soleVec3 goal = soleHorizontal( work, soleSub( leg->stepPlace, leg->landing ) );
+		soleVec3 goal = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), leg->landing ) );
 		state->slide = soleArrive( state->slide, goal, leg->stepInput.until + time, time );
 	}
 	else

@@ -20,8 +20,9 @@
 #define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
 #define AGAIN 0.011f       // L: a step that needs so little less needs the same again
 #define SAME 1e-5f         // L
+#define STANDING_TIME 0.3f // s
 #define LN_2 0.6931472f
-#define MARGIN 0.011f      // L: it goes half of this lower than it has to, to be there in time
+#define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
 #define LANDING_SHARE 1.6f // the pelvis is ready for a foot that comes down after 1 / 1.6 of its way
 
 /// What the legs allow, over the body's ground.
@@ -124,7 +125,7 @@ static float soleChooseOffset( soleBounds bounds, float margin )
 	{
 		return 0.0f;
 	}
-	float down = bounds.ceiling < 0.0f ? bounds.ceiling + 0.5f * soleMaxF( bounds.ceiling, -margin ) : 0.0f;
+	float down = bounds.ceiling < 0.0f ? bounds.ceiling + 0.25f * soleMaxF( bounds.ceiling, -margin ) : 0.0f;
 	down = soleMinF( down, bounds.landing );
 	return down < 0.0f ? down : soleMaxF( bounds.floor, 0.0f );
 }
@@ -133,6 +134,19 @@ static float soleChooseOffset( soleBounds bounds, float margin )
 static float soleBind( soleBounds bounds, float offset )
 {
 	return bounds.any ? soleMinF( soleMaxF( offset, bounds.floor ), bounds.most ) : offset;
+}
+
+/// All legs have been down for a while: there is no next step to be ready for.
+static bool soleIsStanding( const solePlaceWork* work )
+{
+	bool standing = true;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* leg = work->legs + i;
+		bool counts = leg->usable && leg->hasGround && leg->weight > 0.0f;
+		standing = standing && ( counts == false || ( leg->touches && leg->state->time > STANDING_TIME ) );
+	}
+	return standing;
 }
 
 /// Goes down at once, and up again only when it has not been needed for some time: the lowest that each step needs is
@@ -147,16 +161,25 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 	{
 		state->pelvisHeld = goal;
 	}
-	else if ( near || state->pelvisHeldTime > s->pelvis.hold )
+	else if ( near || soleIsStanding( work ) || state->pelvisHeldTime > s->pelvis.hold )
 	{
-		float left = s->pelvis.release > 0.0f ? soleExpNegative( LN_2 * work->timeStep / s->pelvis.release ) : 0.0f;
+		float halfLife = s->pelvis.release * ( soleIsStanding( work ) ? 0.25f : 1.0f );
+		float left = halfLife > 0.0f ? soleExpNegative( LN_2 * work->timeStep / halfLife ) : 0.0f;
 		state->pelvisHeld = goal + ( state->pelvisHeld - goal ) * left;
 	}
 	return state->pelvisHeld;
 }
 
-/// One step towards the goal, by at most `most`. Two springs, one after the other: a body that is drawn down begins to
-/// move without a jerk.
+/// How far the body's ground has moved along up since the last frame, beyond the bodies that it is part of.
+static float soleGroundStep( const solePlaceWork* work )
+{
+	const soleState* state = work->state;
+	return work->bodyGround - state->bodyGround + soleDot( soleSub( work->root_w, state->root_w ), work->up ) -
+	    work->carriedUp;
+}
+
+/// One step towards the goal, by as much that pelvis and ground together move by at most `most`. Two springs, one after
+/// the other: a body that is drawn down begins to move without a jerk.
 static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, float most )
 {
 	soleState* state = work->state;
@@ -166,7 +189,8 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 	state->pelvisLead = soleStepSpring( lead, goal, 0.0f, halfLife, work->timeStep );
 	float pace = ( state->pelvisLead.value - lead.value ) / work->timeStep;
 	soleOffset1 spring = soleStepSpring( state->pelvis, lead.value, pace, halfLife, work->timeStep );
-	float step = soleClampF( soleBind( bounds, spring.value ) - start, -most, most );
+	float carried = soleClampF( soleGroundStep( work ), -most, most );
+	float step = soleClampF( soleBind( bounds, spring.value ) - start, -most - carried, most - carried );
 	state->pelvis.value = start + step;
 	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;
 }
@@ -195,6 +219,7 @@ void soleMovePelvis( solePlaceWork* work )
 		state->pelvisLead.value += unforeseen;
 		soleFollow( work, bounds, goal, s->pelvis.speed * legLength * work->timeStep );
 	}
+	state->bodyGround = work->bodyGround;
 	float weight = soleClampF( work->frame->weight, 0.0f, 1.0f );
 	work->pelvisShift = soleFiniteOr( weight * ( over + state->pelvis.value ), 0.0f );
 }

@@ -106,6 +106,7 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	soleLimitAnkles( work );
 	soleSolveLegs( work );
 	soleAlignAnkles( work );
+	soleRememberBodies( work );
 	soleWritePelvis( work );
 }
 

@@ -22,6 +22,7 @@ enum
 	sole_statePlanned = 1 << 5,  // in flight to stepPlace_w
 	sole_stateChosen = 1 << 7,   // it stands on the plane of stepPlace_w
 	sole_stateCompared = 1 << 8, // how far that is over what is met is known
+	sole_stateRides = 1 << 10,   // its body is one that the host lists
 	sole_stateForeseen = 1 << 9, // it has come down where it was planned to, a frame ago
 	sole_stateGround = 1 << 6,   // there was ground
 };
@@ -161,6 +162,7 @@ typedef struct solePlaceWork
 	bool first;        // nothing is remembered
 	float rootSpeed;   // horizontal, for fast gaits
 	float pelvisShift; // along up
+	float carriedUp;   // how far along up the bodies that legs stand on have moved since the last frame
 	float bodyGround;  // height of the ground that the body is over
 	float bodyBefore;  // the same by what the last frame knew
 	soleTransform slots[SOLE_MAX_SLOTS];
@@ -198,6 +200,13 @@ static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point
 static inline soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWork* leg, soleVec3 normal )
 {
 	return soleScale( -leg->rig->ankleHeight * work->rootScale, soleHorizontal( work, normal ) );
+}
+
+/// The foothold that was chosen, without that part.
+static inline soleVec3 soleLevelPlace( const solePlaceWork* work, const soleLegWork* leg )
+{
+	soleVec3 place = soleSub( leg->state->stepPlace_w, work->root_w );
+	return soleSub( place, soleTiltShift( work, leg, leg->state->stepNormal_w ) );
 }
 
 static inline int32_t soleMinI( int32_t a, int32_t b )
@@ -247,6 +256,10 @@ bool soleIsFrameUsable( const soleFrame* frame );
 void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );
 /// Fills in what all stages share. Forgets everything after a jump.
 void soleSetUpFrame( solePlaceWork* work );
+
+/// Moves what legs remember with the bodies that they stand on; keeps those bodies for the next frame.
+void soleCarryLegs( solePlaceWork* work );
+void soleRememberBodies( solePlaceWork* work );
 
 /// The stages. Each reads what those before it wrote.
 

@@ -80,8 +80,7 @@ static void soleForesee( const solePlaceWork* work, soleLegWork* leg )
 	soleVec3 forward = soleHorizontal( work, soleRotate( rotation, step->forward ) );
 	leg->travel = soleHorizontal( work, soleRotate( rotation, soleMul( work->frame->root.scale, step->travel ) ) );
 	bool planned = ( leg->state->flags & sole_statePlanned ) != 0;
-	soleVec3 normal = planned ? leg->state->stepNormal_w : leg->state->planeNormal_w;
-	leg->landing = soleAdd( place, soleTiltShift( work, leg, normal ) );
+	leg->landing = place;
 	leg->landingForward = soleNormalizeOr( forward, leg->forward );
 	leg->choosing = planned == false || soleIsTimeToChoose( work, leg );
 }
@@ -194,9 +193,8 @@ static soleVec3 soleStripPoint(
 static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleVec3* point )
 {
 	soleProbeCounts counts = soleGetProbeCounts( work->settings->probe.layout );
-	const soleLegState* state = leg->state;
-	bool planned = ( state->flags & sole_statePlanned ) != 0;
-	soleVec3 chosen = planned ? soleSub( state->stepPlace_w, work->root_w ) : leg->landing;
+	bool planned = ( leg->state->flags & sole_statePlanned ) != 0;
+	soleVec3 chosen = planned ? soleLevelPlace( work, leg ) : leg->landing;
 	if ( k < counts.strip )
 	{
 		// As long as it is far off, what the animation means counts; then what was chosen.
@@ -213,7 +211,7 @@ static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork
 		return true;
 	}
 	k -= counts.sides;
-	soleVec3 from = soleSub( state->planePoint_w, work->root_w );
+	soleVec3 from = soleSub( leg->state->planePoint_w, work->root_w );
 	*point = soleLerp( from, chosen, (float)( k + 1 ) / (float)( counts.way + 1 ) );
 	return k < counts.way;
 }

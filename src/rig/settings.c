@@ -56,7 +56,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( pelvis.halfLife, "s", 0, 2, 0.08, "How fast the pelvis follows the legs." ),
 	FLOAT( pelvis.hold, "s", 0, 4, 1.2, "The pelvis stays down for so long after it had to, for the next step." ),
 	FLOAT( pelvis.release, "s", 0, 4, 0.2, "Half-life of its way up from there." ),
-	FLOAT( pelvis.speed, "L/s", 0, 100, 0.9, "Fastest that the pelvis moves beyond the root's own motion." ),
+	FLOAT( pelvis.speed, "L/s", 0, 100, 0.9, "Fastest that the pelvis moves up or down beyond the animation." ),
 	FLOAT( pelvis.heelFirst, "", 0, 1, 0.5, "Share of the heel lift that is used up before the pelvis goes down." ),
 	FLOAT( leg.reach, "", 0.5, 1, 0.995, "Furthest extension of a leg as a share of its bones." ),
 	FLOAT( leg.softZone, "L", 0, 0.3, 0.02, "The reach limit is approached softly over this much." ),
