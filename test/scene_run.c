@@ -2,6 +2,7 @@
 // Plays acts frame by frame as a host would. World space, metres.
 #include "test.h"
 
+#include "mannequin.h"
 #include "scene_pose.h"
 #include "scene_run.h"
 #include "scene_steps.h"
@@ -86,12 +87,20 @@ static bool testFindFloor( void* user, double x, double z, double ceiling, doubl
 
 // ---------------------------------------------------------------------------------------------------------- the actor
 
-void testOpenActor( testActor* actor )
+void testOpenActor( testActor* actor, void ( *change )( toolModel* model ) )
 {
 	static const char* const names[sole_gaitCount] = { "idle", "walk", "run", "strafe", "crouch", "crouch_walk" };
 	toolError error = { { 0 } };
 	memset( actor, 0, sizeof *actor );
-	assert_true( toolOpenCharacter( "mannequin", &actor->gltf, &error ) );
+	toolModel made;
+	toolMakeMannequin( &made );
+	if ( change != NULL )
+	{
+		change( &made );
+	}
+	actor->gltf = toolMakeGltf( &made );
+	toolFreeModel( &made );
+	assert_non_null( actor->gltf );
 	const toolModel* model = toolGltf_GetModel( actor->gltf );
 	assert_true( toolMakeCharacter( model, "mannequin", 1.0f, &actor->character, &error ) );
 	for ( int32_t i = 0; i < sole_gaitCount; ++i )
@@ -322,6 +331,7 @@ void testPlay(
 	run->input = testAlloc( frames * run->jointCount, sizeof *run->input );
 	run->output = testAlloc( frames * run->jointCount, sizeof *run->output );
 	run->flags = testAlloc( frames * run->legCount, sizeof *run->flags );
+	run->errors = testAlloc( frames * run->legCount, sizeof *run->errors );
 	testMakeInput( run, rate );
 	testPutOnShoes( run );
 	testHost* host = testStartHost( run );
@@ -334,6 +344,7 @@ void testPlay(
 		for ( int32_t leg = 0; leg < run->legCount; ++leg )
 		{
 			run->flags[i * run->legCount + leg] = out.legs[leg].flags;
+			run->errors[i * run->legCount + leg] = out.legs[leg].error;
 			run->finite =
 			    run->finite && soleIsFinite( out.legs[leg].error ) && soleVec3_IsFinite( out.legs[leg].ankle_w );
 		}
@@ -356,6 +367,7 @@ void testFreeRun( testRun* run )
 	free( run->input );
 	free( run->output );
 	free( run->flags );
+	free( run->errors );
 	*run = ( testRun ){ 0 };
 }
 

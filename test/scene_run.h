@@ -39,7 +39,8 @@ typedef struct testActor
 	toolSteps steps[sole_gaitCount];
 } testActor;
 
-void testOpenActor( testActor* actor );
+/// @param change what is different in the mannequin. May be NULL
+void testOpenActor( testActor* actor, void ( *change )( toolModel* model ) );
 void testCloseActor( testActor* actor );
 
 /// One run of an act.
@@ -60,6 +61,7 @@ typedef struct testRun
 	soleTransform* input;  // frameCount * jointCount, parent-local
 	soleTransform* output; // likewise
 	uint32_t* flags;       // frameCount * legCount, soleLegFlags
+	float* errors;         // likewise: how far each ankle is from where it was wanted, as Sole says
 	bool finite;           // all that Sole gave out
 } testRun;
 

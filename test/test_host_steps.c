@@ -11,7 +11,7 @@ static testActor s_actor;
 static int setup( void** state )
 {
 	(void)state;
-	testOpenActor( &s_actor );
+	testOpenActor( &s_actor, NULL );
 	return 0;
 }
 
