@@ -75,6 +75,11 @@ SOLE_API void soleSolve( const soleRig* rig, const soleSettings* settings, soleS
 /// @param localPose parent-local, jointCount of the rig: a copy of the frame's pose, or that pose itself.
 SOLE_API void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* localPose );
 
+/// Blends the frame's second pose into a copy of its first, all joints, as far as the ground demands. Before
+/// soleApply().
+SOLE_API void soleBlendSecondPose(
+    const soleRig* rig, const soleOutput* output, const soleTransform* secondPose, soleTransform* localPose );
+
 /// Tells Sole that a state's character was moved by a jump that is no motion. The same as soleFrame.teleport.
 SOLE_API void soleState_Reset( soleState* state );
 

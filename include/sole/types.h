@@ -129,6 +129,15 @@ typedef enum soleProbeLayout
 	sole_probeLayoutForce32 = 0x7fffffff
 } soleProbeLayout;
 
+/// What a held foot turns about when the animation turns it.
+typedef enum soleLockPivot
+{
+	sole_pivotNone = 0,  // its heading is held
+	sole_pivotBall = 1,  // the ball is held, the heel follows
+	sole_pivotAnkle = 2, // the place under the ankle is held
+	sole_pivotForce32 = 0x7fffffff
+} soleLockPivot;
+
 /// Every tunable. Plain data, may change every frame. Start from soleDefaultSettings(); a value out of its range is
 /// clamped into it. Names, units, ranges, defaults and one sentence each: soleGetSettingInfos().
 typedef struct soleSettings
@@ -165,8 +174,15 @@ typedef struct soleSettings
 		float heightOn;        // a sole point lower than this over the clip's floor may plant. L [0, 1] default 0.025
 		float heightOff;       // higher than this releases. L [0, 1] default 0.05
 		float settle;          // a foot that looks planted for this long is. s [0, 1] default 0.033
-		float lockDistance;    // a lock is given up further than this from the animation. L [0, 2] default 0.25
+		soleLockPivot pivot;   // what a held foot turns about. [0, 2] default 0, none
+		float lockDistance;    // a lock is given up further than this from where it began, seen from the animation. L
+		                       // [0, 2] default 0.25
 		float lockAngle;       // or turned further than this. rad [0, 3] default 0.79 (45 degrees)
+		float relock;          // share of both within which a lock that was given up may begin anew. [0, 1] default 0.4
+		float replantDistance; // a foot at rest that is further off than this steps over. L [0, 2] default 0.1
+		float replantAngle;    // or turned further than this. rad [0, 3] default 0.35 (20 degrees)
+		float replantAfter;    // if it has been for so long. s [0, 60] default 0.8
+		float replantTime;     // how long that step takes. s [0.02, 2] default 0.25
 		float captureHalfLife; // decay of what is left of the motion when a foot is locked. s [0, 1] default 0.05
 		float releaseHalfLife; // decay of the offset when it is let go. s [0, 1] default 0.08
 		float fadeIn;          // time in which a planted leg gets its full say in the pelvis. s [0, 1] default 0.12
@@ -182,7 +198,14 @@ typedef struct soleSettings
 
 	struct
 	{
-		float align; // share of the ground's slope that a planted foot follows. [0, 1] default 1
+		float align;       // share of the ground's slope that a planted foot follows. [0, 1] default 1
+		float toeOutLeft;  // a left foot is turned outwards by this. rad [-1.5, 1.5] default 0
+		float toeOutRight; // a right foot. rad [-1.5, 1.5] default 0
+		float blendIn;     // time in which a weight rises from 0 to 1. s [0, 10] default 0.2
+		float blendOut;    // time in which it falls. s [0, 10] default 0.15
+		float secondFrom;  // the second pose begins at this difference of heights. L [0, 2] default 0.25
+		float secondFull;  // and is full at this. L [0, 2] default 0.55
+		float secondTime;  // half-life of its weight. s [0, 2] default 0.12
 	} target;
 
 	struct
@@ -193,6 +216,8 @@ typedef struct soleSettings
 		float hold;    // it stays down for so long after it had to, to be there for the next step. s [0, 4] default 1.2
 		float release; // half-life of its way up from there. s [0, 4] default 0.2
 		float speed;   // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.9
+		float balance; // share of the feet's mean shift that the pelvis follows sideways. [0, 1] default 0
+		float sideways; // furthest that it does. L [0, 1] default 0.1
 		float
 		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
 	} pelvis;
@@ -201,7 +226,9 @@ typedef struct soleSettings
 	{
 		float reach;    // furthest extension of a leg as a share of its bones. [0.5, 1] default 0.995
 		float softZone; // reach is approached softly over this much. L [0, 0.3] default 0.02
-		float fold;     // least extension as a share of its bones. [0, 0.9] default 0.2
+		float fold;     // least extension as a share of its bones. [0, 0.9] default 0.26
+		float stretch;  // most that the bones are made longer to reach. share [0, 0.05] default 0
+		float twist;    // share of a foot's turn about the leg that the thigh takes. [0, 1] default 0
 		float heelLift; // most that a heel is raised to reach. rad [0, 1.4] default 0.87 (50 degrees)
 	} leg;
 
@@ -304,8 +331,15 @@ typedef struct soleFrame
 	float timeStep;
 	/// 0 leaves the pose as it is, 1 places the feet. [0, 1]
 	float weight;
-	/// Per leg, multiplied with weight. NULL: all 1. [0, 1]
+	/// Per leg, multiplied with weight. NULL: all 1. [0, 1] All weights may jump: Sole blends in and out by itself.
 	const float* legWeight;
+	/// Per leg, for the place and for the turn of the foot alone, multiplied with the others. NULL: all 1. [0, 1]
+	const float* positionWeight;
+	const float* rotationWeight;
+	/// A second pose for ground that is much higher or lower under one foot than under another (a high step, a
+	/// crouch), parent-local like the first. Sole blends it in as far as the ground demands: soleOutput.secondWeight.
+	/// NULL: none.
+	const soleTransform* secondPose;
 	/// Per leg. NULL: nothing known.
 	const soleContactInput* contact;
 	/// Per leg. NULL: nothing known. Counts only beside contact.
@@ -401,6 +435,14 @@ typedef struct soleLegState
 	soleVec3 stepNormal_w;
 	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
 	soleBodyState body;
+	soleVec3 heldShift;   // how far from the animation the foot was when it came to be held
+	float strayTime;      // for how long it has been further off than that, s
+	float missTime;       // for how long nothing was met under it while it stands, s
+	float shortfall;      // how far the foot was from where it was wanted, of the leg's length
+	float restep;         // what is left of a step by which it follows, s
+	soleVec3 learntPlace; // where it came down the last time, as seen from the root, character space
+	float learntFlight;   // how long it was in the air, s
+	float learntSpeed;    // how fast the root was
 	float toeSlope;       // of the ground in front of the ball over the plane, as last known
 	soleOffset1 toe;      // what is left of its changes
 	float chosenOver;     // how far its plane is over what is met under it
@@ -411,6 +453,8 @@ typedef struct soleLegState
 	soleOffset3 gradient; // what is left of slope changes
 	float heelRise;       // their heights over the clip's floor
 	float ballRise;
+	float positionWeight; // as far as blended in
+	float rotationWeight;
 	float heelSpeed; // their speeds over the ground
 	float ballSpeed;
 	float time;        // since the last change of contact, s
@@ -425,6 +469,8 @@ typedef struct soleState
 	soleVec3 root_w;        // last position of the root
 	soleOffset1 pelvis;     // offset of the pelvis along up over the ground that the body is over
 	soleOffset1 pelvisLead; // which that follows
+	soleOffset3 balance;    // of the pelvis sideways
+	soleOffset1 second;     // weight of the second pose
 	float pelvisHeld;       // where that has to go, as low as it had to lately
 	float bodyGround;       // height of that ground over the root
 	float pelvisHeldTime;   // for how long it had not to, s
@@ -473,7 +519,9 @@ typedef struct soleLegOutput
 	/// The plane that carries the sole: a point under the ankle and the unit normal, world.
 	soleVec3 planePoint_w;
 	soleVec3 planeNormal_w;
-	/// How far the ankle is from where it was wanted.
+	/// By how much the bones were made longer: what the translations of all joints after the hip are multiplied with.
+	float stretch;
+	/// How far the ankle is from where it was wanted, when heel, pelvis, stretch and reach have given what they can.
 	float error;
 	/// Hip to ankle as a share of the bones' length.
 	float extension;
@@ -492,6 +540,14 @@ typedef struct soleOutput
 	soleVec3 pelvisOffset_w;
 	/// New parent-local translation of the pelvis joint.
 	soleVec3 pelvisTranslation_l;
+	/// For the host's capsule, so that it fits the lowered body: how much shorter half its height is, and how far its
+	/// middle moves along up. World.
+	float capsuleShorter;
+	float capsuleOffset;
+	/// How much of the second pose is in this one. [0, 1]
+	float secondWeight;
+	/// Slope of the ground that the body is over, horizontal, rise per length: for a host that leans the trunk.
+	soleVec3 bodyGradient_w;
 	/// Legs that are filled in.
 	int32_t legCount;
 	soleLegOutput legs[SOLE_MAX_LEGS];

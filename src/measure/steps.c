@@ -6,6 +6,8 @@
 
 #include <math.h>
 
+#define REST_TIME 0.045 // s after the first contact, until when a foot has come to rest
+
 /// A run of frames with a label, both ends included; first > last: none.
 typedef struct soleLabelRun
 {
@@ -72,7 +74,8 @@ static void solePlaceStep( soleStepFinder* finder, int32_t standing, int32_t str
 	soleVec3d heel = soleGetCarried( &finder->pose, soleGetHeelPoint( rig, step->leg ) );
 	soleVec3d ball = soleGetCarried( &finder->pose, soleGetBallPoint( rig, step->leg ) );
 	soleVec3d along = soleRejectD( soleSubD( ball, heel ), up );
-	soleEvaluateWorld( &finder->pose, motion, strike );
+	int32_t resting = strike + (int32_t)( REST_TIME * finder->rate + 0.5 );
+	soleEvaluateWorld( &finder->pose, motion, resting < standing ? resting : standing );
 	soleVec3d place = soleGetCarried( &finder->pose, soleGetBallPoint( rig, step->leg ) );
 	if ( heelFirst )
 	{

@@ -92,7 +92,7 @@ static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg, 
 	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
 	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
 	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
-	float share = leg->weight * leg->state->plantWeight;
+	float share = leg->turnWeight * leg->state->plantWeight;
 	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
 	return soleNlerp( carried, bent, share );
 }

@@ -13,11 +13,12 @@
 
 /// Height of the ground that the body is over: of the line through what its legs stand on, by least squares, at the
 /// pelvis. The reference height where it stands on nothing.
-static float soleFitBodyGround( const solePlaceWork* work, bool before )
+static float soleFitBodyGround( const solePlaceWork* work, bool before, soleVec3* gradient )
 {
 	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
 	soleVec3 ahead = soleAnyOrthogonal( work->up );
 	soleVec3 aside = soleCross( work->up, ahead );
+	*gradient = soleVec( 0.0f, 0.0f, 0.0f );
 	float least = LEAST_SPREAD * soleLongestLeg( work );
 	float w = 0.0f, u = 0.0f, v = 0.0f, h = 0.0f;
 	float uu = 0.0f, uv = 0.0f, vv = 0.0f, uh = 0.0f, vh = 0.0f;
@@ -56,11 +57,13 @@ static float soleFitBodyGround( const solePlaceWork* work, bool before )
 	soleHalf axis = soleMakeHalf( uu - vv, 2.0f * uv );
 	float spread = axis.c * axis.c * uu + 2.0f * axis.c * axis.s * uv + axis.s * axis.s * vv;
 	float slope = ( axis.c * uh + axis.s * vh ) / ( spread + least * least );
+	*gradient = soleScale( slope, soleMulAdd( soleScale( axis.c, ahead ), axis.s, aside ) );
 	return soleDot( pelvis, work->up ) + h - slope * ( axis.c * u + axis.s * v );
 }
 
 void soleFindBodyGround( solePlaceWork* work )
 {
-	work->bodyBefore = soleFitBodyGround( work, true );
-	work->bodyGround = soleFitBodyGround( work, false );
+	soleVec3 ignored;
+	work->bodyBefore = soleFitBodyGround( work, true, &ignored );
+	work->bodyGround = soleFitBodyGround( work, false, &work->bodyGradient );
 }

@@ -97,6 +97,7 @@ static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg )
 	float goal = down ? 1.0f : 0.0f;
 	float fade = down ? work->settings->contact.fadeIn : work->settings->contact.fadeOut;
 	float step = fade > 0.0f ? time / fade : 1.0f;
+	leg->flight = state->time + work->timeStep - leg->since;
 	state->time = work->first || changed ? leg->since : state->time + work->timeStep;
 	if ( work->first )
 	{

@@ -22,17 +22,20 @@
 // a foot in flight, quickly by a planted one.
 #include "place/rest.h"
 
-#define GENTLE 0.5f    // rise per length
-#define MUCH 0.02f     // of cost, by which a place has to be better that is
-#define FAR_OFF 0.05f  // L away from the last choice, or further
-#define STEP 0.022f    // L: ground this much higher than was foreseen is another step
-#define CHANGE 0.003f  // L: ground that has moved by more is read anew
-#define FEW 0.34f      // share of the places under a sole
-#define DEPTH 0.0022f  // L
-#define SHIFTS 4       // to either side
-#define BY_TIME 0.25f  // L: a step shorter than this goes by time
-#define UNFIT 1.0f     // cost of a place that cannot be walked on, or is not known
-#define NEAR_END 0.06f // share of the way near its ends in which nothing can be cleared any more
+#define GENTLE 0.5f      // rise per length
+#define MUCH 0.02f       // of cost, by which a place has to be better that is
+#define FAR_OFF 0.05f    // L away from the last choice, or further
+#define MISS_TIME 0.1f   // s
+#define NEAR_BY 0.06f    // L: a foot this near to its foothold has come down on it
+#define UNSHIFTED 0.002f // L
+#define STEP 0.022f      // L: ground this much higher than was foreseen is another step
+#define CHANGE 0.003f    // L: ground that has moved by more is read anew
+#define FEW 0.34f        // share of the places under a sole
+#define DEPTH 0.0022f    // L
+#define SHIFTS 4         // to either side
+#define BY_TIME 0.25f    // L: a step shorter than this goes by time
+#define UNFIT 1.0f       // cost of a place that cannot be walked on, or is not known
+#define NEAR_END 0.06f   // share of the way near its ends in which nothing can be cleared any more
 #define MOST_MORE 1.6f
 
 // ---------------------------------------------------------------------------------------------------------- the way
@@ -86,7 +89,7 @@ static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, 
 /// A quadratic B-spline over the share of the way, 0 at both ends, its control points at 0, 1/4, 1/2, 3/4 and 1.
 static float soleLiftAt( const float lift[3], float s )
 {
-	const float controls[7] = { 0.0f, 0.0f, lift[0], lift[1], lift[2], 0.0f, 0.0f };
+	const float controls[7] = { -lift[0], 0.0f, lift[0], lift[1], lift[2], 0.0f, -lift[2] };
 	float x = soleClampF( 4.0f * s + 0.5f, 0.0f, 4.999f );
 	int32_t i = (int32_t)x;
 	float t = x - (float)i;
@@ -277,6 +280,21 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	return true;
 }
 
+/// A foothold that is just where the animation means it stays there when that is foreseen to be elsewhere.
+static void soleFollowLanding( const solePlaceWork* work, const soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	soleVec3 meant = soleSub( state->stepLanding_w, work->root_w );
+	soleVec3 shift = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), meant ) );
+	soleVec3 moved = soleHorizontal( work, soleSub( leg->landing, meant ) );
+	if ( soleLength( shift ) < UNSHIFTED * leg->length )
+	{
+		float climb = soleDot( soleGradientOf( work, state->stepNormal_w ), moved );
+		state->stepPlace_w = soleMulAdd( soleAdd( state->stepPlace_w, moved ), climb, work->up );
+		state->stepLanding_w = soleAdd( state->stepLanding_w, moved );
+	}
+}
+
 /// The foot leaves the plane on which it stood.
 static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 {
@@ -290,19 +308,27 @@ static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 }
 
 /// Sets out, or goes on, to the next foothold.
-static void solePlanStep( solePlaceWork* work, soleLegWork* leg )
+static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
 	soleLegState* state = leg->state;
 	bool settled = soleIsSettled( work, leg );
 	if ( settled == false && soleChooseStep( work, leg ) == false )
 	{
-		leg->hasGround = false;
+		// Nothing is seen there: the ground that the foot comes from goes on, until it asks under itself.
+		leg->hasGround = leg->hadGround;
+		leg->missed = true;
+		leg->raw = old;
+		leg->toeSlope = state->toeSlope;
 		state->flags &= ~(uint32_t)sole_statePlanned;
 		return;
 	}
 	if ( ( state->flags & sole_statePlanned ) == 0 )
 	{
 		soleSetOut( work, leg );
+	}
+	if ( settled || leg->sampleCount == 0 )
+	{
+		soleFollowLanding( work, leg );
 	}
 	leg->planned = true;
 	leg->hasGround = true;
@@ -391,21 +417,29 @@ static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
 	state->flags &= ~(uint32_t)sole_stateCompared;
 }
 
-/// A foot that has just come down: on what was foreseen, where a toe that just meets a riser, or a heel, would have it
-/// stand on the step over it; else on what is met under it. Once it is held its ground is asked for closely, and that
-/// is what it stands on.
+/// A foot that has just come down: on what was foreseen until it is held. Then its ground is asked for closely, and
+/// that is what it stands on; but where a toe that just meets a riser, or a heel, would have it stand on the step over
+/// it, it stays on what was foreseen.
 static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 {
 	solePlane chosen = soleGetChosen( work, leg->state );
 	float over = soleHeightOver( work, leg, chosen );
-	if ( foreseen && over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length &&
+	float missed = soleLength( soleHorizontal( work, soleSub( leg->soleCenter, chosen.point ) ) );
+	bool locked = ( leg->state->flags & sole_stateLocked ) != 0;
+	bool there = foreseen && missed < NEAR_BY * leg->length;
+	if ( there && locked == false )
+	{
+		leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
+		leg->toeSlope = leg->state->toeSlope;
+	}
+	else if ( there && over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length &&
 	    leg->share < FEW )
 	{
 		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
 		leg->raw = soleMakePlane( work, point, chosen.gradient );
 		leg->toeSlope = 0.0f;
 	}
-	if ( ( leg->state->flags & sole_stateLocked ) != 0 )
+	if ( locked )
 	{
 		soleSettleOn( work, leg );
 	}
@@ -435,6 +469,23 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 	leg->toeSlope = state->toeSlope;
 }
 
+/// Answers that fail for a moment, while a foot stands, mean nothing: the ground is taken to be where it was.
+static void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePlane old )
+{
+	soleLegState* state = leg->state;
+	bool missed = leg->hasGround == false && leg->foreseen == false && leg->hadGround && leg->touches;
+	state->missTime = missed ? state->missTime + work->timeStep : 0.0f;
+	if ( missed && state->missTime < MISS_TIME )
+	{
+		leg->hasGround = true;
+		leg->missed = true;
+		leg->raw = old;
+		leg->toeSlope = state->toeSlope;
+		leg->surface = state->body.surface;
+		leg->surfaceVelocity = ( state->flags & sole_stateRides ) != 0 ? leg->surfaceVelocity : state->body.place;
+	}
+}
+
 static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
@@ -442,6 +493,10 @@ static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 	const uint32_t foreseen = (uint32_t)( sole_statePlanned | sole_stateForeseen );
 	uint32_t flags = state->flags;
 	state->flags &= ~foreseen;
+	if ( leg->missed )
+	{
+		return;
+	}
 	if ( leg->touches == false )
 	{
 		state->flags &= ~chosen;
@@ -495,13 +550,14 @@ void soleChooseFootholds( solePlaceWork* work )
 		solePlane old = soleRememberPlane( work, leg );
 		float oldToe = state->toeSlope;
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
+		soleBridgeMiss( work, leg, old );
 		soleWay wayBefore = soleRememberWay( work, leg );
 		leg->standBefore = ( state->flags & sole_statePlanned ) != 0 ? soleStandOnWay( leg, &wayBefore )
 		                                                             : soleStandOnPlane( work, leg->soleCenter, old );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
-			solePlanStep( work, leg );
+			solePlanStep( work, leg, old );
 		}
 		if ( leg->planned == false )
 		{

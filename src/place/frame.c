@@ -66,7 +66,8 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->pelvis.value ) &&
 	    soleIsFinite( state->pelvis.velocity ) &&
 	    soleIsFinite( state->pelvisLead.value + state->pelvisLead.velocity ) && soleIsFinite( state->pelvisHeld ) &&
-	    soleIsFinite( state->pelvisHeldTime + state->bodyGround );
+	    soleIsFinite( state->pelvisHeldTime + state->bodyGround + state->second.value + state->second.velocity ) &&
+	    soleVec3_IsFinite( state->balance.value ) && soleVec3_IsFinite( state->balance.velocity );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
 		const soleLegState* leg = state->legs + i;
@@ -83,7 +84,11 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
 		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
 		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) &&
-		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) && soleIsFinite( leg->ballSpeed );
+		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
+		    soleIsFinite( leg->ballSpeed + leg->time + leg->restep + leg->strayTime ) &&
+		    soleVec3_IsFinite( leg->heldShift ) && soleVec3_IsFinite( leg->learntPlace ) &&
+		    soleIsFinite( leg->learntFlight + leg->learntSpeed + leg->shortfall + leg->missTime ) &&
+		    soleIsFinite( leg->positionWeight + leg->rotationWeight );
 	}
 	return finite;
 }
@@ -110,7 +115,11 @@ static float soleLongestRigLeg( const soleRig* rig )
 /// A new start: nothing of an earlier place is left.
 static void soleForget( soleState* state, int32_t legCount )
 {
-	state->pelvis = ( soleOffset1 ){ 0.0f, 0.0f };
+	soleOffset1 still = { 0.0f, 0.0f };
+	state->pelvis = still;
+	state->pelvisLead = still;
+	state->second = still;
+	memset( &state->balance, 0, sizeof state->balance );
 	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
@@ -130,6 +139,35 @@ static soleStepInput soleTakeStepInput( const soleFrame* frame, int32_t leg )
 	bool finite = soleIsFinite( step->since + step->until ) && soleVec3_IsFinite( step->place ) &&
 	    soleVec3_IsFinite( step->forward ) && soleVec3_IsFinite( step->travel );
 	return finite ? *step : unknown;
+}
+
+static float soleReadWeight( const float* weights, int32_t leg )
+{
+	return weights != NULL ? soleSaturate( soleFiniteOr( weights[leg], 0.0f ) ) : 1.0f;
+}
+
+/// One step of a weight towards what the host wants.
+static float soleBlend( const solePlaceWork* work, float now, float wanted )
+{
+	float time = wanted > now ? work->settings->target.blendIn : work->settings->target.blendOut;
+	float most = time > 0.0f ? work->timeStep / time : 1.0f;
+	return work->first ? wanted : soleClampF( wanted, now - most, now + most );
+}
+
+/// Weights come and go smoothly, whatever the host does.
+static void soleBlendWeights( solePlaceWork* work, soleLegWork* leg )
+{
+	const soleFrame* frame = work->frame;
+	float whole = soleSaturate( frame->weight ) * soleReadWeight( frame->legWeight, leg->index );
+	float position = whole * soleReadWeight( frame->positionWeight, leg->index );
+	float rotation = whole * soleReadWeight( frame->rotationWeight, leg->index );
+	float before = leg->state->positionWeight;
+	leg->state->positionWeight = soleBlend( work, leg->state->positionWeight, position );
+	leg->state->rotationWeight = soleBlend( work, leg->state->rotationWeight, rotation );
+	leg->weight = leg->state->positionWeight;
+	leg->blending = work->first == false && leg->weight != before;
+	leg->turnWeight = leg->state->rotationWeight;
+	work->weight = soleMaxF( work->weight, leg->weight );
 }
 
 void soleSetUpFrame( solePlaceWork* work )
@@ -153,7 +191,9 @@ void soleSetUpFrame( solePlaceWork* work )
 		float moved = soleDistance( work->root_w, work->state->root_w );
 		work->first = moved > TELEPORT * scaled && moved > 20.0f * scaled * work->timeStep;
 		soleVec3 travel = soleHorizontal( work, soleSub( work->root_w, work->state->root_w ) );
-		work->rootSpeed = work->timeStep > 0.0f ? soleLength( travel ) / work->timeStep : 0.0f;
+		float perSecond = work->timeStep > 0.0f ? 1.0f / work->timeStep : 0.0f;
+		work->rootVelocity = soleScale( perSecond, travel );
+		work->rootSpeed = soleLength( work->rootVelocity );
 	}
 	if ( work->first )
 	{
@@ -165,8 +205,7 @@ void soleSetUpFrame( solePlaceWork* work )
 		*leg = ( soleLegWork ){ .rig = work->rig->legs + i, .state = work->state->legs + i, .index = i };
 		leg->out = work->out->legs + i;
 		leg->samples = work->samples[i];
-		float legWeight = frame->legWeight != NULL ? frame->legWeight[i] : 1.0f;
-		leg->weight = soleSaturate( frame->weight ) * soleSaturate( soleFiniteOr( legWeight, 0.0f ) );
+		soleBlendWeights( work, leg );
 		leg->contactInput = ( soleContactInput ){ -1.0f, -1.0f };
 		if ( frame->contact != NULL && soleIsFinite( frame->contact[i].heel + frame->contact[i].toe ) )
 		{

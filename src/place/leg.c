@@ -15,6 +15,13 @@
 // Soft reach. Beyond `soft` the distance approaches `hard` as hard - z exp( -( L - soft ) / z ), z = hard - soft, which
 // leaves the line L = L with slope 1.
 //
+// Stretch, where it is allowed, makes all bones of the leg longer before the soft reach falls short; twist, where it is
+// wanted, turns the whole leg about the line from hip to ankle, which moves neither.
+//
+// What is out of reach is asked for in this order: the heel is raised, the pelvis lowered (pelvis.c), the foothold has
+// been shifted already (foothold.c), the bones are stretched; what is left then is told as an error, and a planted foot
+// that stays short of its place gives it up (lock.c).
+//
 // Heel lift. A planted foot that would overstretch its leg is rolled about its ball B before anything else gives. With
 // a0 = ankle - B, w = hip - B, side axis e, the ankle's path is a circle; |w - a|^2 = l^2 gives the cosine c of its
 // angle to w's part in that plane:  c = ( ( |a0|^2 + |w|^2 - l^2 ) / 2 - a_e w_e ) / ( r |w_p| ).
@@ -165,10 +172,35 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 
 // --------------------------------------------------------------------------------------------------------- the stage
 
+/// By how much the bones have to be longer for the leg to reach without being softened, as far as that is allowed.
+static float soleFindStretch( const solePlaceWork* work, const soleLegWork* leg, soleReach reach )
+{
+	float most = work->settings->leg.stretch;
+	float wanted = soleDistance( leg->hip, leg->ankleGoal ) / soleMaxF( reach.soft, 1e-6f * leg->length );
+	bool plain = leg->rig->def.hasVirtualAnkle || leg->rig->def.detachedFoot != SOLE_NONE;
+	return plain ? 1.0f : soleClampF( wanted, 1.0f, 1.0f + most * leg->weight );
+}
+
+/// The thigh's share of the turn that the foot has made about the line from hip to ankle.
+static soleQuat soleShareTwist( const solePlaceWork* work, const soleLegWork* leg, soleVec3 target )
+{
+	float share = work->settings->leg.twist;
+	if ( !( share > 0.0f ) )
+	{
+		return soleQuat_Identity();
+	}
+	soleVec3 axis = soleNormalizeOr( soleSub( target, leg->hip ), soleNeg( work->up ) );
+	soleQuat turn = soleMulQuat( leg->footReached, soleConjugate( leg->foot.rotation ) );
+	soleQuat twist = soleTwist( turn, axis );
+	twist = twist.w < 0.0f ? ( soleQuat ){ -twist.x, -twist.y, -twist.z, -twist.w } : twist;
+	return soleNlerp( soleQuat_Identity(), twist, share );
+}
+
 static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
 {
 	int32_t knee = leg->rig->kneeIndex;
-	leg->hip = soleMulAdd( leg->joints[0], work->pelvisShift, work->up );
+	soleVec3 shift = soleMulAdd( work->balance, work->pelvisShift, work->up );
+	leg->hip = soleAdd( leg->joints[0], shift );
 	leg->ankleGoal = leg->ankleTarget;
 	leg->footReached = leg->footTarget;
 	soleReach reach = soleGetReach( work, leg );
@@ -180,24 +212,29 @@ static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
 	// The chain is as the animation bends it: two stiff parts around the knee, hip and ankle fixed in them.
 	soleTwoBoneDef def = {
 		.hip = leg->hip,
-		.knee = soleMulAdd( leg->joints[knee], work->pelvisShift, work->up ),
-		.ankle = soleMulAdd( leg->ankle, work->pelvisShift, work->up ),
+		.knee = soleAdd( leg->joints[knee], shift ),
+		.ankle = soleAdd( leg->ankle, shift ),
 		.target = leg->ankleGoal,
 		.hinge = soleRotate( leg->rotations[0], leg->rig->hinge ),
 	};
+	float stretch = soleFindStretch( work, leg, reach );
+	def.knee = soleLerp( def.hip, def.knee, stretch );
+	def.ankle = soleLerp( def.hip, def.ankle, stretch );
 	float bones = soleDistance( def.hip, def.knee ) + soleDistance( def.knee, def.ankle );
-	float perBone = bones > 0.0f ? 1.0f / bones : 0.0f;
+	float perBone = bones > 0.0f ? stretch / bones : 0.0f;
 	def.reach = soleMinF( reach.hard * perBone, 1.0f );
 	def.softZone = reach.hard - reach.soft;
 	def.fold = soleMinF( work->settings->leg.fold * leg->length, soleDistance( def.hip, def.ankle ) ) * perBone;
 	soleTwoBoneResult result = soleSolveTwoBone( &def );
-	leg->hipTurn = result.hip;
+	leg->hipTurn = soleMulQuat( soleShareTwist( work, leg, def.target ), result.hip );
+	leg->out->stretch = stretch;
 	leg->kneeTurn = result.knee;
 	leg->ankleReached = result.ankle;
 	leg->out->flags |= result.flags;
 	leg->out->ankleTarget_w = soleAdd( leg->ankleGoal, work->root_w );
 	leg->out->ankle_w = soleAdd( result.ankle, work->root_w );
 	leg->out->error = soleDistance( result.ankle, leg->ankleGoal );
+	leg->state->shortfall = leg->out->error / leg->length;
 	leg->out->extension = soleDistance( leg->hip, result.ankle ) / leg->length;
 }
 

@@ -10,6 +10,9 @@
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
 #include "place/place.h"
 
+#define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
+#define SHORT 0.1f    // L: a leg whose foot can't come nearer than this to where it is held gives up
+
 /// The turn about up that takes one heading to another.
 static soleHalf soleHeading( const solePlaceWork* work, soleVec3 from, soleVec3 to )
 {
@@ -27,6 +30,11 @@ static void soleSetAnchor( const solePlaceWork* work, soleLegWork* leg, bool byH
 {
 	leg->anchor =
 	    byHeel ? soleOnFloor( work, leg->heel, leg->heelRise ) : soleOnFloor( work, leg->ball, leg->ballRise );
+	if ( work->settings->contact.pivot == sole_pivotAnkle )
+	{
+		float rise = soleDot( soleSub( leg->ankle, work->floor ), work->rootUp );
+		leg->anchor = soleOnFloor( work, leg->ankle, rise );
+	}
 	leg->anchorShift = soleTiltShift( work, leg, leg->plane.normal );
 }
 
@@ -71,6 +79,11 @@ static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float tim
 		soleVec3 goal = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), leg->landing ) );
 		state->slide = soleArrive( state->slide, goal, leg->stepInput.until + time, time );
 	}
+	else if ( leg->told && leg->touches && ( state->flags & sole_stateBarred ) == 0 )
+	{
+		// It is down, and comes to rest with the animation.
+		state->slide.velocity = soleVec( 0.0f, 0.0f, 0.0f );
+	}
 	else
 	{
 		state->slide = soleDecayOffset3( state->slide, work->settings->contact.releaseHalfLife, time );
@@ -112,7 +125,8 @@ static void soleCapture( solePlaceWork* work, soleLegWork* leg )
 	state->slide.velocity = velocity;
 	state->slide = soleDecayOffset3( state->slide, work->settings->contact.captureHalfLife, leg->since );
 	leg->anchorGoal = soleAdd( leg->anchorGoal, state->slide.value );
-	state->turn = ( soleOffset1 ){ 0.0f, 0.0f };
+	state->heldShift = soleSub( leg->anchorGoal, soleAnimatedPlace( work, leg ) );
+	state->turn = work->settings->contact.pivot == sole_pivotNone ? ( soleOffset1 ){ 0.0f, 0.0f } : state->turn;
 	state->flags |= (uint32_t)sole_stateLocked;
 	leg->out->flags |= (uint32_t)sole_legCaptured;
 }
@@ -155,8 +169,17 @@ static void soleKeepLock( solePlaceWork* work, soleLegWork* leg )
 	state->slide = soleDecayOffset3( state->slide, work->settings->contact.captureHalfLife, work->timeStep );
 	soleVec3 held = soleHorizontal( work, soleSub( state->lockPoint_w, work->root_w ) );
 	leg->anchorGoal = soleAdd( held, state->slide.value );
-	soleVec3 heading = soleNormalizeOr( soleHorizontal( work, state->lockForward_w ), leg->forward );
-	leg->turn = soleHalfRotation( work->up, soleHeading( work, leg->forward, heading ) );
+	if ( work->settings->contact.pivot == sole_pivotNone )
+	{
+		soleVec3 heading = soleNormalizeOr( soleHorizontal( work, state->lockForward_w ), leg->forward );
+		leg->turn = soleHalfRotation( work->up, soleHeading( work, leg->forward, heading ) );
+	}
+	else
+	{
+		state->turn = soleDecayOffset1( state->turn, work->settings->contact.releaseHalfLife, work->timeStep );
+		leg->turn = soleHalfRotation( work->up, soleHalfFromQuarterTan( state->turn.value ) );
+		state->lockForward_w = soleRotate( leg->turn, leg->forward );
+	}
 	if ( byHeel && ( state->flags & sole_stateToeOn ) != 0 )
 	{
 		// The toe is down: the same foot is from here on held by its ball.
@@ -168,38 +191,55 @@ static void soleKeepLock( solePlaceWork* work, soleLegWork* leg )
 	}
 }
 
-/// A lock that has become too far from the animation is given up, and not renewed before the foot has been free.
-static bool soleIsLockStrained( const solePlaceWork* work, const soleLegWork* leg )
+/// How a held foot is off: how far and how much it is turned, each as a share of what a lock stands. How far counts
+/// from where the lock began: a step that was shifted is not strained by that.
+static float soleFindStrain( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleSettings* s = work->settings;
-	float apart = soleDistance( leg->anchorGoal, soleAnimatedPlace( work, leg ) );
-	soleHalf limit = soleHalfFromAngle( s->contact.lockAngle );
-	soleVec3 heading = soleRotate( leg->turn, leg->forward );
-	return apart > s->contact.lockDistance * leg->length ||
-	    soleDot( heading, leg->forward ) < limit.c * limit.c - limit.s * limit.s;
+	soleVec3 apart = soleSub( leg->anchorGoal, soleAnimatedPlace( work, leg ) );
+	float held = ( leg->state->flags & sole_stateLocked ) != 0 ? 1.0f : 0.0f;
+	apart = soleMulAdd( apart, -held, leg->state->heldShift );
+	float far = soleLength( soleHorizontal( work, apart ) ) / soleMaxF( s->contact.lockDistance * leg->length, 1e-6f );
+	soleHalf turned = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );
+	float most = soleQuarterTan( soleHalfFromAngle( s->contact.lockAngle ) );
+	float turn = soleQuarterTan( turned );
+	return soleMaxF( far, ( turn < 0.0f ? -turn : turn ) / soleMaxF( most, 1e-6f ) );
 }
 
+/// Has the foot been down for long enough to be held? A host says so a little before the foot has come to rest.
+static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	float settle = work->settings->contact.settle;
+	float speed = ( state->flags & sole_stateToeOn ) != 0 ? leg->ballSpeed : leg->heelSpeed;
+	bool moving = leg->told && work->first == false && speed > AT_REST * leg->length && state->time < 2.0f * settle;
+	return state->contactTime > settle && moving == false;
+}
+
+/// A lock that is strained is given up, and may begin anew when the foot has been free, or is near the animation again.
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool contact = leg->touches;
-	bool possible = contact && leg->hasGround && leg->weight > 0.0f;
-	bool settled = state->contactTime > work->settings->contact.settle;
+	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->blending == false;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );
-		bool strained = soleIsLockStrained( work, leg );
+		float strain = soleFindStrain( work, leg );
+		bool strained = strain > 1.0f || state->shortfall > SHORT;
 		if ( possible == false || strained )
 		{
 			state->flags |= strained ? (uint32_t)sole_stateBarred : 0u;
+			// A lock that a long frame has strained was so before its end.
+			leg->since = possible && strain > 1.0f ? work->timeStep * ( 1.0f - 1.0f / strain ) : leg->since;
 			soleRelease( work, leg );
 		}
 	}
 	else
 	{
 		soleGoFree( work, leg );
-		state->flags &= contact ? ~0u : ~(uint32_t)sole_stateBarred;
-		if ( possible && settled && ( state->flags & sole_stateBarred ) == 0 )
+		bool near = soleFindStrain( work, leg ) < work->settings->contact.relock && state->shortfall < 0.5f * SHORT;
+		state->flags &= leg->touches && near == false ? ~0u : ~(uint32_t)sole_stateBarred;
+		if ( possible && soleIsSettled( work, leg ) && ( state->flags & sole_stateBarred ) == 0 )
 		{
 			soleCapture( work, leg );
 		}

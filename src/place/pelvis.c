@@ -38,7 +38,7 @@ typedef struct soleBounds
 /// Offset at which the hip is this far from a target.
 static float soleOffsetFor( const solePlaceWork* work, const soleLegWork* leg, soleVec3 target, float length )
 {
-	soleVec3 d = soleSub( target, leg->joints[0] );
+	soleVec3 d = soleSub( target, soleAdd( leg->joints[0], work->balance ) );
 	float dv = soleDot( d, work->up );
 	float dh2 = soleMaxF( soleDot( d, d ) - dv * dv, 0.0f );
 	return dv + soleSqrtF( length * length - dh2 );
@@ -189,10 +189,50 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 	state->pelvisLead = soleStepSpring( lead, goal, 0.0f, halfLife, work->timeStep );
 	float pace = ( state->pelvisLead.value - lead.value ) / work->timeStep;
 	soleOffset1 spring = soleStepSpring( state->pelvis, lead.value, pace, halfLife, work->timeStep );
+	const soleSettings* s = work->settings;
+	float legLength = soleLongestLeg( work );
+	float bound = soleClampF( soleBind( bounds, spring.value ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
 	float carried = soleClampF( soleGroundStep( work ), -most, most );
-	float step = soleClampF( soleBind( bounds, spring.value ) - start, -most - carried, most - carried );
+	float step = soleClampF( bound - start, -most - carried, most - carried );
 	state->pelvis.value = start + step;
 	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;
+}
+
+// --------------------------------------------------------------------------------------------------------- sideways
+
+/// The pelvis goes along with what the feet are shifted by on the mean, as far as that is wanted.
+static void soleKeepBalance( solePlaceWork* work, float legLength )
+{
+	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
+	float weights = 0.0f;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* leg = work->legs + i;
+		float weight = leg->usable && leg->hasGround ? leg->weight * leg->state->plantWeight : 0.0f;
+		if ( weight > 0.0f )
+		{
+			soleVec3 shift = soleHorizontal( work, soleSub( leg->ankleTarget, leg->ankle ) );
+			sum = soleMulAdd( sum, weight, shift );
+			weights += weight;
+		}
+	}
+	const soleSettings* s = work->settings;
+	soleVec3 goal = soleScale( weights > 0.0f ? s->pelvis.balance / weights : 0.0f, sum );
+	float length = soleLength( goal );
+	float most = s->pelvis.sideways * legLength;
+	goal = length > most ? soleScale( most / length, goal ) : goal;
+	soleOffset3* b = &work->state->balance;
+	float* values[] = { &b->value.x, &b->value.y, &b->value.z };
+	float* velocities[] = { &b->velocity.x, &b->velocity.y, &b->velocity.z };
+	const float goals[] = { goal.x, goal.y, goal.z };
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		soleOffset1 spring = { work->first ? goals[i] : *values[i], work->first ? 0.0f : *velocities[i] };
+		spring = soleStepSpring( spring, goals[i], 0.0f, s->pelvis.halfLife, work->timeStep );
+		*values[i] = spring.value;
+		*velocities[i] = spring.velocity;
+	}
+	work->balance = soleScale( work->weight, soleHorizontal( work, b->value ) );
 }
 
 // --------------------------------------------------------------------------------------------------------- the stage
@@ -202,6 +242,7 @@ void soleMovePelvis( solePlaceWork* work )
 	const soleSettings* s = work->settings;
 	soleState* state = work->state;
 	float legLength = soleLongestLeg( work );
+	soleKeepBalance( work, legLength );
 	float over = work->bodyGround - work->reference;
 	soleBounds bounds = soleFindBounds( work, over );
 	float goal = soleChooseOffset( bounds, MARGIN * legLength );
@@ -220,6 +261,5 @@ void soleMovePelvis( solePlaceWork* work )
 		soleFollow( work, bounds, goal, s->pelvis.speed * legLength * work->timeStep );
 	}
 	state->bodyGround = work->bodyGround;
-	float weight = soleClampF( work->frame->weight, 0.0f, 1.0f );
-	work->pelvisShift = soleFiniteOr( weight * ( over + state->pelvis.value ), 0.0f );
+	work->pelvisShift = soleFiniteOr( work->weight * ( over + state->pelvis.value ), 0.0f );
 }

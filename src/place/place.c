@@ -10,14 +10,14 @@
 // ----------------------------------------------------------------------------------------------------- handing out
 
 /// The output that changes nothing: the pose as it came in.
-static void solePassThrough( const soleRig* rig, const soleFrame* frame, soleOutput* out )
+static void solePassThrough( const soleRig* rig, const soleFrame* frame, float second, soleOutput* out )
 {
 	memset( out, 0, sizeof *out );
 	out->legCount = rig->legCount;
 	bool readable = frame != NULL && frame->pose != NULL;
 	if ( readable )
 	{
-		out->pelvisTranslation_l = frame->pose[rig->pelvis].translation;
+		out->pelvisTranslation_l = soleReadPose( frame, second, rig->pelvis ).translation;
 	}
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
@@ -26,15 +26,18 @@ static void solePassThrough( const soleRig* rig, const soleFrame* frame, soleOut
 		for ( int32_t j = 0; j < SOLE_MAX_LEG_JOINTS; ++j )
 		{
 			bool there = readable && j < leg->def.jointCount;
-			o->rotations_l[j] = there ? frame->pose[leg->def.joints[j]].rotation : soleQuat_Identity();
+			o->rotations_l[j] =
+			    there ? soleReadPose( frame, second, leg->def.joints[j] ).rotation : soleQuat_Identity();
 		}
-		o->toeRotation_l =
-		    readable && leg->def.toeCount > 0 ? frame->pose[leg->def.toes[0]].rotation : soleQuat_Identity();
+		o->toeRotation_l = readable && leg->def.toeCount > 0 ? soleReadPose( frame, second, leg->def.toes[0] ).rotation
+		                                                     : soleQuat_Identity();
+		o->stretch = 1.0f;
 		o->footRotation_l = soleQuat_Identity();
 		if ( readable && leg->def.detachedFoot != SOLE_NONE )
 		{
-			o->footTranslation_l = frame->pose[leg->def.detachedFoot].translation;
-			o->footRotation_l = frame->pose[leg->def.detachedFoot].rotation;
+			soleTransform foot = soleReadPose( frame, second, leg->def.detachedFoot );
+			o->footTranslation_l = foot.translation;
+			o->footRotation_l = foot.rotation;
 		}
 	}
 }
@@ -63,6 +66,7 @@ static void soleScrubOutput( const soleRig* rig, soleOutput* out )
 			*vectors[k] = soleVec3_IsFinite( *vectors[k] ) ? *vectors[k] : soleVec( 0.0f, 0.0f, 0.0f );
 		}
 		o->error = soleFiniteOr( o->error, 0.0f );
+		o->stretch = soleFiniteOr( o->stretch, 1.0f );
 		o->extension = soleFiniteOr( o->extension, 0.0f );
 		o->heightDemand = soleFiniteOr( o->heightDemand, 0.0f );
 	}
@@ -76,7 +80,12 @@ static void soleScrubOutput( const soleRig* rig, soleOutput* out )
 static void soleWritePelvis( solePlaceWork* work )
 {
 	soleOutput* out = work->out;
-	out->pelvisOffset_w = soleScale( work->pelvisShift, work->up );
+	out->pelvisOffset_w = soleMulAdd( work->balance, work->pelvisShift, work->up );
+	// A capsule that has lost half of what the pelvis has gone down, at both ends, still stands on the ground.
+	out->capsuleShorter = 0.5f * soleMaxF( -work->pelvisShift, 0.0f );
+	out->capsuleOffset = -out->capsuleShorter;
+	out->secondWeight = work->frame->secondPose != NULL ? work->state->second.value : 0.0f;
+	out->bodyGradient_w = work->bodyGradient;
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
 	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
 		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }
@@ -91,15 +100,19 @@ static void soleWritePelvis( solePlaceWork* work )
 static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
 {
 	soleSense( work );
+	soleForesee( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleAimSole( work, work->legs + i );
 	}
 	soleFindSupport( work, hits, hitCount );
 	soleUpdateContact( work );
+	soleLearnSteps( work );
+	soleTakeResteps( work );
 	soleChooseFootholds( work );
 	soleUpdateLocks( work );
 	soleSetTargets( work );
+	soleDemandSecondPose( work );
 	soleFindBodyGround( work );
 	soleMovePelvis( work );
 	soleSolveLegs( work );
@@ -126,6 +139,7 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = &copy, .out = &out };
 	soleSetUpFrame( &work );
 	soleSense( &work );
+	soleForesee( &work );
 	for ( int32_t i = 0; i < work.legCount; ++i )
 	{
 		soleAimSole( &work, work.legs + i );
@@ -142,7 +156,7 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	{
 		return;
 	}
-	solePassThrough( rig, given ? frame : NULL, output );
+	solePassThrough( rig, given ? frame : NULL, 0.0f, output );
 	if ( given == false || !soleIsFrameUsable( frame ) )
 	{
 		for ( int32_t i = 0; i < rig->legCount; ++i )
@@ -153,9 +167,11 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 		return;
 	}
 	soleTakeState( rig, frame, state );
+	float second = state->second.value;
 	soleSettings clean = soleCleanSettings( settings );
 	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = state, .out = output };
 	soleSetUpFrame( &work );
+	solePassThrough( rig, frame, second, output );
 	soleRunStages( &work, hits, hitCount > 0 ? hitCount : 0 );
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
@@ -164,6 +180,21 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	state->root_w = work.root_w;
 	state->frameCount = work.first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
 	soleScrubOutput( rig, output );
+}
+
+void soleBlendSecondPose(
+    const soleRig* rig, const soleOutput* output, const soleTransform* secondPose, soleTransform* localPose )
+{
+	SOLE_ASSERT( rig != NULL && output != NULL && secondPose != NULL && localPose != NULL );
+	if ( rig == NULL || output == NULL || secondPose == NULL || localPose == NULL )
+	{
+		return;
+	}
+	soleFrame frame = { .pose = localPose, .secondPose = secondPose };
+	for ( int32_t i = 0; i < rig->jointCount; ++i )
+	{
+		localPose[i] = soleReadPose( &frame, output->secondWeight, i );
+	}
 }
 
 void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* localPose )
@@ -180,7 +211,9 @@ void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* loc
 		const soleLegOutput* o = output->legs + i;
 		for ( int32_t j = 0; j < leg->jointCount; ++j )
 		{
-			localPose[leg->joints[j]].rotation = o->rotations_l[j];
+			soleTransform* joint = localPose + leg->joints[j];
+			joint->rotation = o->rotations_l[j];
+			joint->translation = j > 0 ? soleScale( o->stretch, joint->translation ) : joint->translation;
 		}
 		if ( leg->toeCount > 0 )
 		{

@@ -22,6 +22,7 @@ enum
 	sole_statePlanned = 1 << 5,  // in flight to stepPlace_w
 	sole_stateChosen = 1 << 7,   // it stands on the plane of stepPlace_w
 	sole_stateCompared = 1 << 8, // how far that is over what is met is known
+	sole_stateLeft = 1 << 11,    // it was seen to leave the ground
 	sole_stateRides = 1 << 10,   // its body is one that the host lists
 	sole_stateForeseen = 1 << 9, // it has come down where it was planned to, a frame ago
 	sole_stateGround = 1 << 6,   // there was ground
@@ -65,9 +66,11 @@ typedef struct soleLegWork
 	soleLegState* state;
 	soleLegOutput* out;
 	int32_t index;
-	float weight; // frame.weight * legWeight
-	float length; // of the bones now, world
-	bool usable;  // finite and of some length
+	float weight;     // of its place: as far as the host's weights are blended in
+	float turnWeight; // of its turn
+	bool blending;    // they change
+	float length;     // of the bones now, world
+	bool usable;      // finite and of some length
 	soleContactInput contactInput;
 	soleStepInput stepInput;
 
@@ -101,6 +104,7 @@ typedef struct soleLegWork
 	int32_t sampleCount;
 	bool hasGround;
 	bool hadGround; // a frame ago
+	bool missed;    // no answer, and taken to be where it was
 	solePlane raw;  // the plane that carries the sole, as the ground is now
 	float toeSlope; // rise per length of the ground in front of the ball, over the plane
 	float share;    // of the places under the sole that bear
@@ -111,6 +115,7 @@ typedef struct soleLegWork
 	bool touches;     // is in contact, held or not
 	bool touched;     // was so a frame ago
 	bool told;        // by the host
+	float flight;     // how long it was in the air before it came down, s
 	float letGoSpeed; // at which a foot is let go
 	float since;      // the change of contact happened so long before the end of this frame, s
 
@@ -159,12 +164,16 @@ typedef struct solePlaceWork
 	soleVec3 root_w; // near space + root_w = world
 	float rootScale;
 	float timeStep;
-	bool first;        // nothing is remembered
-	float rootSpeed;   // horizontal, for fast gaits
-	float pelvisShift; // along up
-	float carriedUp;   // how far along up the bodies that legs stand on have moved since the last frame
-	float bodyGround;  // height of the ground that the body is over
-	float bodyBefore;  // the same by what the last frame knew
+	bool first;            // nothing is remembered
+	soleVec3 rootVelocity; // horizontal
+	float rootSpeed;
+	float pelvisShift;     // along up
+	float weight;          // of the whole: the largest of the legs'
+	soleVec3 balance;      // of the pelvis, horizontal
+	soleVec3 bodyGradient; // slope of the ground that the body is over
+	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
+	float bodyGround;      // height of the ground that the body is over
+	float bodyBefore;      // the same by what the last frame knew
 	soleTransform slots[SOLE_MAX_SLOTS];
 
 	int32_t legCount;
@@ -249,6 +258,20 @@ static inline soleReach soleGetReach( const solePlaceWork* work, const soleLegWo
 	return ( soleReach ){ soft, hard };
 }
 
+/// A joint of the animated pose, the second pose blended in.
+static inline soleTransform soleReadPose( const soleFrame* frame, float second, int32_t joint )
+{
+	soleTransform a = frame->pose[joint];
+	if ( frame->secondPose == NULL || !( second > 0.0f ) )
+	{
+		return a;
+	}
+	soleTransform b = frame->secondPose[joint];
+	return ( soleTransform ){ soleLerp( a.translation, b.translation, second ),
+		soleNlerp( soleNormalizeQuat( a.rotation ), soleNormalizeQuat( b.rotation ), second ),
+		soleLerp( a.scale, b.scale, second ) };
+}
+
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 soleSettings soleCleanSettings( const soleSettings* settings );
 bool soleIsFrameUsable( const soleFrame* frame );
@@ -265,6 +288,8 @@ void soleRememberBodies( solePlaceWork* work );
 
 /// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.
 void soleSense( solePlaceWork* work );
+/// When and where feet in flight will come down.
+void soleForesee( solePlaceWork* work );
 /// What to ask of the ground. @return number of probes written
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity );
 /// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
@@ -273,12 +298,18 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount );
 /// Which part of the foot is on the ground, and since when.
 void soleUpdateContact( solePlaceWork* work );
+/// How long a step took and where it went, for the next.
+void soleLearnSteps( solePlaceWork* work );
+/// Feet that stand but have been left behind step over.
+void soleTakeResteps( solePlaceWork* work );
 /// Where the next step lands, and the plane that the foot follows on its way.
 void soleChooseFootholds( solePlaceWork* work );
 /// Held where.
 void soleUpdateLocks( solePlaceWork* work );
 /// Ankle and foot goals.
 void soleSetTargets( solePlaceWork* work );
+/// How much of the second pose the ground demands.
+void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.
 void soleFindBodyGround( solePlaceWork* work );
 /// One height that all legs can live with.

@@ -64,31 +64,10 @@ static bool soleIsTimeToChoose( const solePlaceWork* work, const soleLegWork* le
 	return due || soleLength( soleHorizontal( work, moved ) ) > MEANT_ELSEWHERE * leg->length;
 }
 
-/// Where the foot will land, if the host tells when, and in flight.
-static void soleForesee( const solePlaceWork* work, soleLegWork* leg )
-{
-	const soleStepInput* step = &leg->stepInput;
-	bool down = leg->contactInput.heel >= 0.5f || leg->contactInput.toe >= 0.5f;
-	bool told = leg->contactInput.heel >= 0.0f || leg->contactInput.toe >= 0.0f;
-	leg->foreseen = told && down == false && step->until >= 0.0f && step->since >= 0.0f && work->first == false;
-	if ( leg->foreseen == false )
-	{
-		return;
-	}
-	soleQuat rotation = soleNormalizeQuat( work->frame->root.rotation );
-	soleVec3 place = soleRotate( rotation, soleMul( work->frame->root.scale, step->place ) );
-	soleVec3 forward = soleHorizontal( work, soleRotate( rotation, step->forward ) );
-	leg->travel = soleHorizontal( work, soleRotate( rotation, soleMul( work->frame->root.scale, step->travel ) ) );
-	bool planned = ( leg->state->flags & sole_statePlanned ) != 0;
-	leg->landing = place;
-	leg->landingForward = soleNormalizeOr( forward, leg->forward );
-	leg->choosing = planned == false || soleIsTimeToChoose( work, leg );
-}
-
 void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
-	soleForesee( work, leg );
+	leg->choosing = leg->foreseen && ( ( state->flags & sole_statePlanned ) == 0 || soleIsTimeToChoose( work, leg ) );
 	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
 	    leg->ballSpeed > FLYING * leg->length;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
@@ -96,7 +75,12 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 		leg->soleCenter = soleSub( state->lockPoint_w, work->root_w );
 		leg->soleForward =
 		    soleNormalizeOr( soleHorizontal( work, state->lockForward_w ), soleAnyOrthogonal( work->up ) );
-		if ( ( state->flags & sole_stateByHeel ) != 0 )
+		if ( work->settings->contact.pivot == sole_pivotAnkle )
+		{
+			float ahead = leg->rig->ankleBehind * work->rootScale;
+			leg->soleCenter = soleMulAdd( leg->soleCenter, ahead, leg->soleForward );
+		}
+		else if ( ( state->flags & sole_stateByHeel ) != 0 )
 		{
 			float scaled = leg->rig->heelBehind * work->rootScale;
 			leg->soleCenter = soleMulAdd( leg->soleCenter, scaled, leg->soleForward );
@@ -244,6 +228,15 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	return leg->flying && k < counts.ahead;
 }
 
+/// How much higher a place is, if the slope goes on on which the foot stood last.
+static float soleFindRise( const solePlaceWork* work, const soleLegWork* leg, soleVec3 point )
+{
+	soleVec3 normal = leg->state->planeNormal_w;
+	float up = soleDot( normal, work->up );
+	bool foreseen = leg->foreseen && up > 0.1f;
+	return foreseen ? -soleDot( soleHorizontal( work, normal ), point ) / up : 0.0f;
+}
+
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
 	const soleSettings* settings = work->settings;
@@ -264,10 +257,11 @@ int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t c
 			if ( soleChoosePoint( work, leg, k, &point ) )
 			{
 				float away = soleLength( soleHorizontal( work, point ) );
+				float rise = soleFindRise( work, leg, point );
 				float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
 				float up = settings->probe.stepUp * leg->length + further;
 				float down = settings->probe.stepDown * leg->length + further;
-				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + up ), work->root_w );
+				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + rise + up ), work->root_w );
 				probe->length = up + down;
 				probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
 			}

@@ -7,7 +7,8 @@
 //   p' = Q + T R ( p - q )
 // so its distance from the plane, along the normal, is its animated height over the floor: a flat foot lies flat, and
 // heel strike, heel-off and flight survive on any slope. The anchor neither slides nor leaves the plane while Q is
-// held.
+// held. A weight of the place leads back to where the animation has the ankle, one of the turn to how it turns the
+// foot.
 #include "place/place.h"
 
 /// Follows less of the slope, and stays above the ground for it: the flatter plane is raised until it touches the old
@@ -35,6 +36,17 @@ static solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg,
 	return soleMakePlane( work, soleMulAdd( plane.point, raise, work->up ), soleScale( align, plane.gradient ) );
 }
 
+/// The turn about up that points the toes outwards, away from the other side of the body.
+static soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	float left = rig->def.side == sole_left ? work->settings->target.toeOutLeft : 0.0f;
+	float angle = rig->def.side == sole_right ? work->settings->target.toeOutRight : left;
+	// A positive turn about up takes the heading away from the foot's side vector.
+	float sign = rig->outerSide >= rig->innerSide ? -1.0f : 1.0f;
+	return soleHalfRotation( work->up, soleHalfFromAngle( sign * angle ) );
+}
+
 void soleSetTargets( solePlaceWork* work )
 {
 	for ( int32_t i = 0; i < work->legCount; ++i )
@@ -51,14 +63,17 @@ void soleSetTargets( solePlaceWork* work )
 		soleQuat tilt = soleFromTo( work->up, plane.normal, leg->forward );
 		// Heights were measured along the root's up: a leaning root is put upright first.
 		soleQuat upright = soleFromTo( work->rootUp, work->up, leg->forward );
-		leg->image = soleMulQuat( tilt, soleMulQuat( leg->turn, upright ) );
-		soleVec3 ankle = soleAdd( goal, soleRotate( leg->image, soleSub( leg->ankle, q ) ) );
-		soleVec3 pivot = soleAdd( goal, soleRotate( leg->image, soleSub( leg->pivot, q ) ) );
+		soleQuat image = soleMulQuat( tilt, soleMulQuat( leg->turn, upright ) );
+		soleQuat turned = soleMulQuat( leg->turn, soleMulQuat( soleGetToeOut( work, leg ), upright ) );
+		leg->image = soleMulQuat( tilt, turned );
+		// A foot that is turned outwards turns under its ankle.
+		soleVec3 ankle = soleAdd( goal, soleRotate( image, soleSub( leg->ankle, q ) ) );
+		soleVec3 pivot = soleAdd( ankle, soleRotate( leg->image, soleSub( leg->pivot, leg->ankle ) ) );
 		soleQuat foot = soleMulQuat( leg->image, leg->foot.rotation );
 
 		leg->ankleTarget = soleLerp( leg->ankle, ankle, leg->weight );
 		leg->pivotTarget = soleLerp( leg->pivot, pivot, leg->weight );
-		leg->footTarget = soleNlerp( leg->foot.rotation, foot, leg->weight );
+		leg->footTarget = soleNlerp( leg->foot.rotation, foot, leg->turnWeight );
 		leg->out->planePoint_w =
 		    soleAdd( soleAtHeight( work, ankle, solePlaneHeight( work, plane, ankle ) ), work->root_w );
 		leg->out->planeNormal_w = plane.normal;

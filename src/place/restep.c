@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// Restep: a foot that stands but has been left behind takes a step.
+//
+// A character that turns on the spot, is pushed or comes to a stop is left with feet that stand where the animation no
+// longer has them. Where the body hardly moves, such a foot steps over to the animation: at once when its lock is
+// strained, else when it has been further off than a smallest step for some time. One foot at a time, and not so soon
+// after another; the flight is that of a foreseen step, with a lift of its own. While the body travels, strained locks
+// are given up instead: the next step of the gait is near.
+#include "place/place.h"
+
+#define SLOW 0.35f  // L/s: a body that travels slower stands
+#define APART 0.15f // s between two such steps
+#define LEAST 0.02f // s: a step is no shorter
+
+/// How far a held foot is from the animation, beyond what it was when it came to be held.
+static float soleFindStray( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	soleVec3 held = soleSub( state->lockPoint_w, work->root_w );
+	soleVec3 place = soleSub( held, state->heldShift );
+	soleVec3 animated = ( state->flags & sole_stateByHeel ) != 0 ? leg->heel : leg->ball;
+	animated = work->settings->contact.pivot == sole_pivotAnkle ? leg->ankle : animated;
+	animated = soleAdd( animated, soleTiltShift( work, leg, state->planeNormal_w ) );
+	return soleLength( soleHorizontal( work, soleSub( place, animated ) ) );
+}
+
+/// Are two headings further apart than an angle?
+static bool soleIsTurned( const solePlaceWork* work, const soleLegWork* leg, float angle )
+{
+	soleVec3 heading = soleNormalizeOr( soleHorizontal( work, leg->state->lockForward_w ), leg->forward );
+	soleHalf limit = soleHalfFromAngle( angle );
+	return soleDot( heading, leg->forward ) < limit.c * limit.c - limit.s * limit.s;
+}
+
+/// Does the foot want to step over now?
+static bool soleWantsStep( const solePlaceWork* work, soleLegWork* leg )
+{
+	const soleSettings* s = work->settings;
+	soleLegState* state = leg->state;
+	bool held = ( state->flags & sole_stateLocked ) != 0 && leg->touches && leg->hasGround;
+	bool slow = work->rootSpeed < SLOW * leg->length;
+	if ( held == false || slow == false )
+	{
+		state->strayTime = 0.0f;
+		return false;
+	}
+	float stray = soleFindStray( work, leg );
+	bool off = stray > s->contact.replantDistance * leg->length || soleIsTurned( work, leg, s->contact.replantAngle );
+	state->strayTime = off ? state->strayTime + work->timeStep : 0.0f;
+	bool strained = stray > s->contact.lockDistance * leg->length || soleIsTurned( work, leg, s->contact.lockAngle );
+	return strained || ( off && state->strayTime > s->contact.replantAfter );
+}
+
+/// Is another foot in the air, or has just stepped over?
+static bool soleIsBusy( const solePlaceWork* work, const soleLegWork* leg )
+{
+	bool busy = false;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* other = work->legs + i;
+		bool counts = other != leg && other->usable && other->hasGround;
+		busy = busy || ( counts && ( other->touches == false || other->state->restep > -APART ) );
+	}
+	return busy;
+}
+
+void soleTakeResteps( solePlaceWork* work )
+{
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleLegWork* leg = work->legs + i;
+		if ( leg->usable == false )
+		{
+			continue;
+		}
+		soleLegState* state = leg->state;
+		state->restep = soleMaxF( state->restep - work->timeStep, -APART );
+		if ( soleWantsStep( work, leg ) && soleIsBusy( work, leg ) == false )
+		{
+			state->restep = soleMaxF( work->settings->contact.replantTime, LEAST );
+			state->strayTime = 0.0f;
+		}
+	}
+}
