@@ -1,0 +1,726 @@
+// SPDX-License-Identifier: MIT
+// What users of other foot placement complain about: each proved on the scenes and by the figures that are given for
+// it. docs/complaints.md has the list. What is not proved yet is listed here, and has to be taken off when it is.
+// Figures are in millimetres and degrees.
+#include "test.h"
+
+#include "scene_checks.h"
+#include "scene_figures.h"
+#include "scene_meter.h"
+#include "scene_wild.h"
+
+#define DEGREES 57.29577951308232
+
+static const struct
+{
+	int number;
+	const char* figures; // when it was listed
+} s_notYet[] = {
+	{ 0, "" },
+};
+
+// ------------------------------------------------------------------------------------------------------------- proofs
+
+/// What was found so far for one complaint.
+typedef struct testProof
+{
+	int number;
+	bool good;
+	testWorld world;
+} testProof;
+
+static testActor s_actor;
+
+static testProof testBeginProof( int number )
+{
+	return ( testProof ){ .number = number, .good = true, .world = { .scene = { .id = "" } } };
+}
+
+static void testMiss( testProof* proof, const char* what, const char* figures )
+{
+	printf( "complaint %d: %s: %s\n", proof->number, what, figures );
+	proof->good = false;
+}
+
+/// A figure that must not be larger than asked for.
+static void testProveFigure( testProof* proof, const char* what, double figure, double most, const char* unit )
+{
+	if ( !( figure <= most ) )
+	{
+		char text[96];
+		snprintf( text, sizeof text, "%.4g %s, at most %.4g", figure, unit, most );
+		testMiss( proof, what, text );
+	}
+}
+
+static const testWorld* testGetWorld( testProof* proof, const char* scene )
+{
+	if ( strcmp( proof->world.scene.id, scene ) != 0 )
+	{
+		testCloseWorld( &proof->world );
+		testOpenWorld( scene, &proof->world );
+	}
+	return &proof->world;
+}
+
+static const soleAct* testGetAct( const char* scene, const char* name )
+{
+	const soleAct* act = soleFindAct( scene, name );
+	if ( act == NULL )
+	{
+		fail_msg( "there is no act %s of %s", name, scene );
+	}
+	return act;
+}
+
+static testGates testProveAct( testProof* proof, const soleAct* act, uint32_t gates )
+{
+	testGates found = testMeasureAct( &s_actor, testGetWorld( proof, act->scene ), act );
+	uint32_t failed = testFindFailed( &found ) & gates;
+	if ( failed != 0 )
+	{
+		char name[96];
+		char text[256];
+		snprintf( name, sizeof name, "%s %s%s", act->scene, act->name, act->host.unlabelled ? " unlabelled" : "" );
+		testWriteFigures( &found, failed, text, sizeof text );
+		testMiss( proof, name, text );
+	}
+	return found;
+}
+
+static testGates testProve( testProof* proof, const char* scene, const char* name, uint32_t gates )
+{
+	return testProveAct( proof, testGetAct( scene, name ), gates );
+}
+
+/// Also by a host that knows nothing of contacts.
+static void testProveTwice( testProof* proof, const char* scene, const char* name, uint32_t gates )
+{
+	soleAct blind = *testGetAct( scene, name );
+	if ( blind.host.unlabelled == false )
+	{
+		testProveAct( proof, &blind, gates );
+	}
+	blind.host.unlabelled = true;
+	testProveAct( proof, &blind, gates );
+}
+
+/// All acts of a test, by the beginning of their scene's id and name.
+static void testProveAll( testProof* proof, const char* scene, const char* name, uint32_t gates )
+{
+	int32_t count;
+	const soleAct* acts = soleGetActs( &count );
+	int32_t found = 0;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		bool own = acts[i].name[0] != 'T' || name[0] == 'T';
+		if ( own && strncmp( acts[i].scene, scene, strlen( scene ) ) == 0 &&
+		    strncmp( acts[i].name, name, strlen( name ) ) == 0 )
+		{
+			testProveAct( proof, acts + i, gates );
+			++found;
+		}
+	}
+	assert_true( found > 0 );
+}
+
+static void testProveCheck( testProof* proof, const char* name )
+{
+	int32_t count;
+	const testCheck* checks = testGetChecks( &count );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		if ( strcmp( checks[i].name, name ) == 0 )
+		{
+			testProveFigure( proof, name, checks[i].measure( &s_actor, checks + i ), checks[i].limit, checks[i].unit );
+			return;
+		}
+	}
+	fail_msg( "there is no check %s", name );
+}
+
+static void testEndProof( testProof* proof )
+{
+	testCloseWorld( &proof->world );
+	bool listed = false;
+	for ( size_t i = 0; i < sizeof s_notYet / sizeof s_notYet[0]; ++i )
+	{
+		if ( s_notYet[i].number == proof->number )
+		{
+			listed = true;
+			printf( "complaint %d: not yet, when it was listed: %s\n", proof->number, s_notYet[i].figures );
+		}
+	}
+	if ( proof->good == listed )
+	{
+		fail_msg( "complaint %d: %s", proof->number, listed ? "is proved: take it off the list" : "is not proved" );
+	}
+}
+
+/// The largest of a measure over all legs, frames and takes of an act.
+typedef double testMeasureFcn( const testRun* run, int32_t frame, int32_t leg );
+
+static double testFindLargest( testProof* proof, const char* scene, const char* name, testMeasureFcn* measure )
+{
+	const soleAct* act = testGetAct( scene, name );
+	double largest = 0.0;
+	for ( int32_t take = 0; take == 0 || take < act->special.takeCount; ++take )
+	{
+		testRun run;
+		testPlay( &s_actor, testGetWorld( proof, scene ), act, take, 0.0, &run );
+		for ( int32_t i = 0; i < run.frameCount * run.legCount; ++i )
+		{
+			largest = fmax( largest, measure( &run, i / run.legCount, i % run.legCount ) );
+		}
+		testFreeRun( &run );
+	}
+	return largest;
+}
+
+// --------------------------------------------------------------------------------------------------------- complaints
+
+static void complaint01TheBodyDoesNotShakeOnStairs( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 1 );
+	testProveAll( &proof, "T02", "", test_g4 );
+	testProveAll( &proof, "T03", "", test_g4 );
+	testEndProof( &proof );
+}
+
+static void complaint02DownhillTheWholeSoleTouches( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 2 );
+	static const char* const scenes[] = { "T11-10", "T11-20", "T11-30", "T11-45" };
+	for ( int i = 0; i < 4; ++i )
+	{
+		// From the top: 2 m flat, 8 m of ramp measured along the ground or along the slope, a flat top of 4 m.
+		soleAct down = *testGetAct( scenes[i], "up and down" );
+		testRun run;
+		testPlay( &s_actor, testGetWorld( &proof, scenes[i] ), &down, 0, 0.0, &run );
+		int32_t top = run.frameCount - 1;
+		while ( run.roots[top - 1].translation.y <= run.roots[top].translation.y + 1e-4f )
+		{
+			--top;
+		}
+		while ( run.roots[top - 1].translation.y > run.roots[top].translation.y + 1e-4f )
+		{
+			--top;
+		}
+		down.course.z = run.moments[top].z - 0.5;
+		down.duration -= run.times[top] - 0.5 / down.course.speed;
+		testFreeRun( &run );
+		testProveAct( &proof, &down, test_gFlat );
+	}
+	testEndProof( &proof );
+}
+
+static void complaint03StandingFeetDoNotToggle( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 3 );
+	static const char* const scenes[] = { "T16-1", "T16-2", "T16-3", "T16-4", "T16-5", "T18" };
+	for ( int i = 0; i < 6; ++i )
+	{
+		testProveTwice( &proof, scenes[i], "stand", test_g5 );
+	}
+	testProveTwice( &proof, "T18", "nudged", test_g5 );
+	testEndProof( &proof );
+}
+
+/// Toes up, of the foot or of its toes, beyond the input.
+static double testGetToesUp( const testRun* run, int32_t frame, int32_t leg )
+{
+	static testBodyPose s_in;
+	static testBodyPose s_out;
+	testFindBody( run, frame, run->input, &s_in );
+	testFindBody( run, frame, run->output, &s_out );
+	double most = -180.0;
+	for ( int i = test_heel; i <= test_ball; ++i )
+	{
+		double pitch[2];
+		for ( int k = 0; k < 2; ++k )
+		{
+			const soleVec3* sole = ( k == 0 ? &s_in : &s_out )->legs[leg].sole;
+			soleVec3 ahead = soleSub( sole[i + 1], sole[i] );
+			pitch[k] = DEGREES * asin( (double)( ahead.y / soleLength( ahead ) ) );
+		}
+		most = fmax( most, pitch[1] - pitch[0] );
+	}
+	return most;
+}
+
+static void complaint04ToesDoNotFlipUpOnRocks( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 4 );
+	static const struct
+	{
+		const char* scene;
+		const char* act;
+		uint32_t gates;
+	} rows[] = { { "T15-60", "stand", test_g6 | test_gLevel }, { "T15-60", "walk", test_g6 | test_gLevel },
+		{ "T15-75", "stand", test_g6 | test_gLevel }, { "T15-75", "walk", test_g6 | test_gLevel },
+		{ "T17", "walk", test_g6 }, { "T17", "stand", test_g6 } };
+	for ( int i = 0; i < 6; ++i )
+	{
+		testProve( &proof, rows[i].scene, rows[i].act, rows[i].gates );
+		double up = testFindLargest( &proof, rows[i].scene, rows[i].act, testGetToesUp );
+		testProveFigure( &proof, "toes up", up, 35.0, "degrees" );
+	}
+	testEndProof( &proof );
+}
+
+#define WILD_POSES 1000000
+
+static void complaint05KneesStayOnTheirSide( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 5 );
+	testProveAll( &proof, "T22", "", test_g6 );
+	testWild wild = testTryAnything( &s_actor, WILD_POSES );
+	testProveFigure( &proof, "T54: a knee the wrong way", wild.straight, 1e-3, "degrees" );
+	testEndProof( &proof );
+}
+
+static void complaint06LegsDoNotWindUp( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 6 );
+	static const char* const turns[] = { "T39 round in 0.5", "T39 round in 1.0", "T39 round in 2.0", "T39 to and fro" };
+	for ( int i = 0; i < 4; ++i )
+	{
+		testProveTwice( &proof, "T01", turns[i], test_gYaw );
+	}
+	testProveTwice( &proof, "T11-20", "T35 by ramps", test_gYaw );
+	testProveTwice( &proof, "T11-20", "T35 at once", test_gYaw );
+	testEndProof( &proof );
+}
+
+static void complaint07KneesDoNotPopStraight( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 7 );
+	testProveAll( &proof, "T01", "T41", test_gKnee );
+	testProveAll( &proof, "T01", "T42", test_gKnee );
+	testProveAll( &proof, "T11-20", "T42", test_gKnee );
+	testEndProof( &proof );
+}
+
+static void complaint08WhatFloatsIsReported( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 8 );
+	testProveTwice( &proof, "T01", "T43 lifted", test_gTrue );
+	testProveTwice( &proof, "T01", "T43 hips aside", test_gTrue );
+	testProveAll( &proof, "T11", "", test_gTrue );
+	testEndProof( &proof );
+}
+
+static void complaint09NoLegDanglesWhateverTheWay( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 9 );
+	testProveCheck( &proof, "T13 both ways end in one pose" );
+	testProveAll( &proof, "T24", "", test_g4 | test_gOver );
+	testEndProof( &proof );
+}
+
+/// Of the highest point of a sole.
+static double testGetSoleHeight( const testRun* run, int32_t frame, int32_t leg )
+{
+	static testBodyPose s_out;
+	testFindBody( run, frame, run->output, &s_out );
+	const soleVec3* sole = s_out.legs[leg].sole;
+	return (double)soleMaxF( sole[test_heel].y, soleMaxF( sole[test_ball].y, sole[test_toe].y ) );
+}
+
+static void complaint10FeetStayOffTheRoof( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 10 );
+	// Nearer to the floor than to what is above it.
+	double height = testFindLargest( &proof, "T21", "through", testGetSoleHeight );
+	testProveFigure( &proof, "T21 through", height, 0.40, "m" );
+	height = testFindLargest( &proof, "T22", "under a bench", testGetSoleHeight );
+	testProveFigure( &proof, "T22 under a bench", height, 0.20, "m" );
+	height = testFindLargest( &proof, "T22", "crawlway", testGetSoleHeight );
+	testProveFigure( &proof, "T22 crawlway", height, 0.45, "m" );
+	testEndProof( &proof );
+}
+
+static void complaint12FeetRideEachOnItsOwn( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 12 );
+	testProveAll( &proof, "T27", "", test_g1 );
+	testProveAll( &proof, "T28", "", test_g1 );
+	testProveAll( &proof, "T29", "", test_g1 );
+	testProveAll( &proof, "T30", "", test_g1 );
+	testEndProof( &proof );
+}
+
+/// Moves the ankles' joints up or down within the body; nothing of the mesh moves.
+static void testMoveAnkles( toolModel* model, float by )
+{
+	static const char* const names[] = { "foot_l", "toe_l", "foot_r", "toe_r" };
+	for ( int i = 0; i < 4; ++i )
+	{
+		int32_t node = toolFindNode( model, names[i] );
+		assert_true( node != SOLE_NONE );
+		bool ankle = i % 2 == 0;
+		model->nodes[node].local.translation.y += ankle ? by : -by;
+		toolSkin* skin = model->skins;
+		for ( int32_t k = 0; k < skin->jointCount && ankle; ++k )
+		{
+			// The bind pose is not turned.
+			skin->inverseBind[16 * k + 13] -= skin->joints[k] == node ? by : 0.0f;
+		}
+	}
+}
+
+static void testRaiseAnkles( toolModel* model )
+{
+	testMoveAnkles( model, 0.03f );
+}
+
+static void testLowerAnkles( toolModel* model )
+{
+	testMoveAnkles( model, -0.03f );
+}
+
+/// How far the lowest vertex of each foot's mesh is from a floor at height 0: under it, or over it while it is planted.
+static void testMeasureMesh( const testRun* run, double* depth, double* gap )
+{
+	const toolCharacter* character = &run->actor->character;
+	static soleTransform s_joints[MOST_JOINTS];
+	assert_true( character->pointCount > 40 );
+	for ( int32_t i = 0; i < run->frameCount * run->legCount; ++i )
+	{
+		int32_t frame = i / run->legCount;
+		testFindJoints( run, frame, run->output + (size_t)frame * (size_t)run->jointCount, s_joints );
+		double lowest = 1.0;
+		for ( int32_t k = 0; k < character->pointCount; ++k )
+		{
+			const soleMeasurePoint* point = character->points + k;
+			bool own = point->leg == i % run->legCount;
+			double height = (double)soleTransformPoint( s_joints[point->joint], point->position ).y;
+			lowest = own ? fmin( lowest, height ) : lowest;
+		}
+		bool planted = ( run->flags[i] & (uint32_t)sole_legPlanted ) != 0;
+		*depth = fmax( *depth, -lowest );
+		*gap = fmax( *gap, planted ? lowest : 0.0 );
+	}
+}
+
+static void complaint13WrongAnklesDoNotSinkTheMesh( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 13 );
+	static void ( *const changes[] )( toolModel* ) = { NULL, testRaiseAnkles, testLowerAnkles };
+	static const char* const acts[] = { "idle", "walk" };
+	for ( int i = 0; i < 6; ++i )
+	{
+		static testActor s_changed;
+		testRun run;
+		testOpenActor( &s_changed, changes[i / 2] );
+		testPlay( &s_changed, testGetWorld( &proof, "T01" ), testGetAct( "T01", acts[i % 2] ), 0, 0.0, &run );
+		double depth = 0.0;
+		double gap = 0.0;
+		testMeasureMesh( &run, &depth, &gap );
+		testProveFigure( &proof, "under the floor", 1e3 * depth, 5.0, "mm" );
+		testProveFigure( &proof, "planted over the floor", 1e3 * gap, 5.0, "mm" );
+		testFreeRun( &run );
+		testCloseActor( &s_changed );
+	}
+	testEndProof( &proof );
+}
+
+static void complaint14ShoesChangeAndChangeBack( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 14 );
+	static const char* const scenes[] = { "T01", "T11-20" };
+	for ( int i = 0; i < 2; ++i )
+	{
+		testProve( &proof, scenes[i], "T38 heels", test_g3 | test_gFlat );
+		testRun run;
+		testPlay( &s_actor, testGetWorld( &proof, scenes[i] ), testGetAct( scenes[i], "T38 heels" ), 0, 0.0, &run );
+		double apart = 0.0;
+		for ( int32_t frame = 60; frame < 120; ++frame )
+		{
+			// The idle clip's next round, when the heels are off again.
+			apart = fmax( apart, testCompareFrames( &run, frame, &run, frame + 240 ) );
+		}
+		testProveFigure( &proof, "after the change back", apart, 0.01, "mm" );
+		testFreeRun( &run );
+	}
+	testEndProof( &proof );
+}
+
+/// Where feet and pelvis are at the end, as the root sees them.
+static void testFindLast( testProof* proof, const soleAct* act, int32_t take, soleVec3 parts[3] )
+{
+	static testBodyPose s_out;
+	testRun run;
+	testPlay( &s_actor, testGetWorld( proof, act->scene ), act, take, 0.0, &run );
+	int32_t last = run.frameCount - 1;
+	testFindBody( &run, last, run.output, &s_out );
+	const soleVec3 world[3] = { s_out.pelvis.translation, s_out.legs[0].foot.translation,
+		s_out.legs[1].foot.translation };
+	for ( int i = 0; i < 3; ++i )
+	{
+		parts[i] = soleInvTransformPoint( run.roots[last], world[i] );
+	}
+	testFreeRun( &run );
+}
+
+static void complaint15EverySizeIsTheSame( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 15 );
+	static const char* const acts[] = { "T37 scale at once", "T37 scale in 1 s" };
+	double legLength = (double)soleRig_GetLegLength( s_actor.character.rig, 0 );
+	for ( int i = 0; i < 4; ++i )
+	{
+		const soleAct* act = testGetAct( "T11-20", acts[i / 2] );
+		soleVec3 same[3];
+		soleVec3 scaled[3];
+		testFindLast( &proof, act, 1, same );
+		testFindLast( &proof, act, i % 2 == 0 ? 0 : 2, scaled );
+		for ( int k = 0; k < 3; ++k )
+		{
+			double apart = (double)soleDistance( same[k], scaled[k] ) / legLength;
+			testProveFigure( &proof, acts[i / 2], 100.0 * apart, 0.1, "% of a leg" );
+		}
+	}
+	testEndProof( &proof );
+}
+
+static void complaint17RemotePlayersWalkAsWell( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 17 );
+	testProveAll( &proof, "T02", "T47", test_g1 | test_g4 );
+	testProveAll( &proof, "T16", "T47", test_g1 | test_g4 );
+	testEndProof( &proof );
+}
+
+static void complaint18SwitchedOffAndOnWithoutAPop( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 18 );
+	testProveAll( &proof, "T11-20", "T33", test_g4 );
+	testProveAll( &proof, "T02", "T33", test_g4 );
+	testProveAll( &proof, "T11-20", "T35", test_g4 );
+	testEndProof( &proof );
+}
+
+static void complaint19PropsDoNotPullFeet( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 19 );
+	testProveTwice( &proof, "T19", "stand", test_gInput );
+	testEndProof( &proof );
+}
+
+static void complaint20StrafingLegsDoNotCross( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 20 );
+	testProveAll( &proof, "T01", "T40", test_g4 | test_gApart );
+	testEndProof( &proof );
+}
+
+static void complaint21BlendsDoNotSkate( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 21 );
+	testProveAll( &proof, "T01", "T41", test_g1 );
+	testEndProof( &proof );
+}
+
+static void complaint22SwingFeetDoNotJumpAtSteps( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 22 );
+	testProveAll( &proof, "T02", "", test_g4 );
+	testProveAll( &proof, "T09", "", test_g4 );
+	testProveAll( &proof, "T11-20", "T42", test_g4 );
+	testProveAll( &proof, "T01", "T42", test_g4 );
+	testEndProof( &proof );
+}
+
+static void complaint23NoStepsInPlace( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 23 );
+	soleAct act = *testGetAct( "T01", "T43 hips aside" );
+	for ( int i = 0; i < 2; ++i )
+	{
+		testRun run;
+		act.host.unlabelled = i == 1;
+		testPlay( &s_actor, testGetWorld( &proof, "T01" ), &act, 0, 0.0, &run );
+		double steps = testCountFlags( &run, (uint32_t)sole_legReleased ) +
+		    testCountFlags( &run, (uint32_t)sole_legCaptured ) - 2.0;
+		testProveFigure( &proof, "steps in 60 s", steps, 0.0, "" );
+		testFreeRun( &run );
+	}
+	testEndProof( &proof );
+}
+
+static void complaint26OutOfReachIsStillAPose( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 26 );
+	testWild wild = testTryAnything( &s_actor, WILD_POSES );
+	testProveFigure( &proof, "T54: not finite", wild.broken, 0.0, "" );
+	testProveFigure( &proof, "T54: beyond its reach", wild.reach, 1e-4, "of a leg" );
+	testEndProof( &proof );
+}
+
+static void complaint28StairsAreCrossedDiagonally( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 28 );
+	testProveAll( &proof, "T04", "", test_g2 | test_g4 );
+	testEndProof( &proof );
+}
+
+static void complaint29FeetStandOnWhatIsSeen( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 29 );
+	// T06: the root goes over an invisible ramp.
+	static const char* const ramped[] = { "0.52 ramped", "1.04 ramped", "1.40 ramped" };
+	for ( int i = 0; i < 3; ++i )
+	{
+		testProve( &proof, "T02", ramped[i], test_g2 | test_g3 | test_g4 );
+	}
+	testProveAll( &proof, "T20", "", test_g2 | test_g3 );
+	testEndProof( &proof );
+}
+
+/// What is reported of planted feet.
+static double testGetPlantedError( const testRun* run, int32_t frame, int32_t leg )
+{
+	int32_t i = frame * run->legCount + leg;
+	return ( run->flags[i] & (uint32_t)sole_legPlanted ) != 0 ? 1e3 * (double)run->errors[i] : 0.0;
+}
+
+static void complaint30CrouchingFeetStayDown( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 30 );
+	static const char* const rows[][2] = { { "T01", "T34 crouch 0.20" }, { "T01", "T34 crouch 0.40" },
+		{ "T34", "crouch 0.20" }, { "T34", "crouch 0.40" }, { "T34", "crouch" } };
+	for ( int i = 0; i < 5; ++i )
+	{
+		testGates gates = testProve( &proof, rows[i][0], rows[i][1], 0 );
+		double error = testFindLargest( &proof, rows[i][0], rows[i][1], testGetPlantedError );
+		testProveFigure( &proof, rows[i][1], error, 1.5, "mm of error" );
+		testProveFigure( &proof, rows[i][1], 1e3 * gates.gap.value, 1.5, "mm over the ground" );
+		testProveFigure( &proof, rows[i][1], 1e3 * gates.depth.value, 1.5, "mm in the ground" );
+	}
+	testProveCheck( &proof, "T34 0.20 deep feet stay planted" );
+	testProveCheck( &proof, "T34 0.40 deep feet stay planted" );
+	testProveCheck( &proof, "T34 0.20 deep on a slope feet stay planted" );
+	testProveCheck( &proof, "T34 0.40 deep on a slope feet stay planted" );
+	testEndProof( &proof );
+}
+
+static void complaint31EveryFrameRateIsTheSame( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 31 );
+	static const char* const rates[] = { "30", "144", "165", "240" };
+	for ( int i = 0; i < 12; ++i )
+	{
+		static const char* const scenes[] = { "stairs", "noise", "turning" };
+		char name[64];
+		snprintf( name, sizeof name, "T44 %s at %s Hz", scenes[i / 4], rates[i % 4] );
+		testProveCheck( &proof, name );
+	}
+	testProveAll( &proof, "T02", "T44", test_g4 );
+	testProveAll( &proof, "T16", "T44", test_g4 );
+	testProveAll( &proof, "T02", "T46", test_g4 | test_gPlants );
+	testProveAll( &proof, "T16", "T46", test_g4 | test_gPlants );
+	testEndProof( &proof );
+}
+
+static void complaint32SprintingUphillIsNoFight( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 32 );
+	static const char* const rows[][2] = { { "T11-20", "T42 sprint" }, { "T01", "T42 bend" } };
+	for ( int i = 0; i < 2; ++i )
+	{
+		testGates gates = testProve( &proof, rows[i][0], rows[i][1], test_g4 );
+		// One more a foot than the clip has: those that it begins with.
+		testProveFigure( &proof, "stances beyond the clip's", gates.plants - gates.clipPlants, 2.0, "" );
+	}
+	testEndProof( &proof );
+}
+
+static void complaint33LetGoFeetCutThroughNothing( void** state )
+{
+	(void)state;
+	testProof proof = testBeginProof( 33 );
+	static const char* const scenes[] = { "T16-1", "T16-2", "T16-3", "T16-4", "T16-5" };
+	for ( int i = 0; i < 5; ++i )
+	{
+		testProveTwice( &proof, scenes[i], "walk", test_g2 );
+	}
+	testProveAll( &proof, "T01", "T41", test_g2 );
+	testEndProof( &proof );
+}
+
+static int setup( void** state )
+{
+	(void)state;
+	testOpenActor( &s_actor, NULL );
+	return 0;
+}
+
+static int teardown( void** state )
+{
+	(void)state;
+	testCloseActor( &s_actor );
+	return 0;
+}
+
+int main( void )
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test( complaint01TheBodyDoesNotShakeOnStairs ),
+		cmocka_unit_test( complaint02DownhillTheWholeSoleTouches ),
+		cmocka_unit_test( complaint03StandingFeetDoNotToggle ),
+		cmocka_unit_test( complaint04ToesDoNotFlipUpOnRocks ),
+		cmocka_unit_test( complaint05KneesStayOnTheirSide ),
+		cmocka_unit_test( complaint06LegsDoNotWindUp ),
+		cmocka_unit_test( complaint07KneesDoNotPopStraight ),
+		cmocka_unit_test( complaint08WhatFloatsIsReported ),
+		cmocka_unit_test( complaint09NoLegDanglesWhateverTheWay ),
+		cmocka_unit_test( complaint10FeetStayOffTheRoof ),
+		cmocka_unit_test( complaint12FeetRideEachOnItsOwn ),
+		cmocka_unit_test( complaint13WrongAnklesDoNotSinkTheMesh ),
+		cmocka_unit_test( complaint14ShoesChangeAndChangeBack ),
+		cmocka_unit_test( complaint15EverySizeIsTheSame ),
+		cmocka_unit_test( complaint17RemotePlayersWalkAsWell ),
+		cmocka_unit_test( complaint18SwitchedOffAndOnWithoutAPop ),
+		cmocka_unit_test( complaint19PropsDoNotPullFeet ),
+		cmocka_unit_test( complaint20StrafingLegsDoNotCross ),
+		cmocka_unit_test( complaint21BlendsDoNotSkate ),
+		cmocka_unit_test( complaint22SwingFeetDoNotJumpAtSteps ),
+		cmocka_unit_test( complaint23NoStepsInPlace ),
+		cmocka_unit_test( complaint26OutOfReachIsStillAPose ),
+		cmocka_unit_test( complaint28StairsAreCrossedDiagonally ),
+		cmocka_unit_test( complaint29FeetStandOnWhatIsSeen ),
+		cmocka_unit_test( complaint30CrouchingFeetStayDown ),
+		cmocka_unit_test( complaint31EveryFrameRateIsTheSame ),
+		cmocka_unit_test( complaint32SprintingUphillIsNoFight ),
+		cmocka_unit_test( complaint33LetGoFeetCutThroughNothing ),
+	};
+	return cmocka_run_group_tests( tests, setup, teardown );
+}
