@@ -220,7 +220,7 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->blending == false;
+	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->weight == leg->weightBefore;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );

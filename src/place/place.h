@@ -66,11 +66,11 @@ typedef struct soleLegWork
 	soleLegState* state;
 	soleLegOutput* out;
 	int32_t index;
-	float weight;     // of its place: as far as the host's weights are blended in
-	float turnWeight; // of its turn
-	bool blending;    // they change
-	float length;     // of the bones now, world
-	bool usable;      // finite and of some length
+	float weight;       // of its place: as far as the host's weights are blended in
+	float turnWeight;   // of its turn
+	float weightBefore; // the first, a frame ago
+	float length;       // of the bones now, world
+	bool usable;        // finite and of some length
 	soleContactInput contactInput;
 	soleStepInput stepInput;
 
