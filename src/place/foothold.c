@@ -486,6 +486,14 @@ static void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePla
 	}
 }
 
+/// What counts as the place of a foot: where it is held or flies; where it was foreseen while it comes down.
+static soleVec3 soleStandPlace( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	bool coming = ( state->flags & ( sole_stateForeseen | sole_stateLocked ) ) == sole_stateForeseen;
+	return coming ? soleSub( state->stepPlace_w, work->root_w ) : leg->soleCenter;
+}
+
 static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
@@ -510,7 +518,9 @@ static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 		soleComeDown( work, leg, ( flags & foreseen ) != 0 );
 	}
 	leg->raw.point = soleMulAdd( leg->raw.point, soleFindObstacle( work, leg ), work->up );
-	state->planePoint_w = soleAdd( leg->raw.point, work->root_w );
+	soleVec3 place = soleStandPlace( work, leg );
+	place = soleAtHeight( work, place, solePlaneHeight( work, leg->raw, place ) );
+	state->planePoint_w = soleAdd( place, work->root_w );
 	state->planeNormal_w = leg->raw.normal;
 }
 
@@ -552,8 +562,9 @@ void soleChooseFootholds( solePlaceWork* work )
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
 		soleBridgeMiss( work, leg, old );
 		soleWay wayBefore = soleRememberWay( work, leg );
-		leg->standBefore = ( state->flags & sole_statePlanned ) != 0 ? soleStandOnWay( leg, &wayBefore )
-		                                                             : soleStandOnPlane( work, leg->soleCenter, old );
+		bool flew = ( state->flags & sole_statePlanned ) != 0;
+		soleVec3 stood = leg->touches ? wayBefore.from : leg->soleCenter;
+		leg->standBefore = flew ? soleStandOnWay( leg, &wayBefore ) : soleStandOnPlane( work, stood, old );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
@@ -564,7 +575,8 @@ void soleChooseFootholds( solePlaceWork* work )
 			soleFollowGround( work, leg );
 		}
 		soleWay way = soleRememberWay( work, leg );
-		leg->stand = leg->planned ? soleStandOnWay( leg, &way ) : soleStandOnPlane( work, leg->soleCenter, leg->raw );
+		leg->stand = leg->planned ? soleStandOnWay( leg, &way )
+		                          : soleStandOnPlane( work, soleStandPlace( work, leg ), leg->raw );
 		state->flags &= ~(uint32_t)sole_stateGround;
 		state->flags |= leg->hasGround ? (uint32_t)sole_stateGround : 0u;
 		soleInertialise( work, leg, old, oldToe );
