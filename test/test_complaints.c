@@ -16,7 +16,23 @@ static const struct
 	int number;
 	const char* figures; // when it was listed
 } s_notYet[] = {
-	{ 0, "" },
+	{ 1, "T03 1.40 stepped: G4 219.8, deg 138.9, and 11 more" },
+	{ 2, "T11-45 up and down: flat 84.24, and 2 more" },
+	{ 3, "T16-4 stand: G5 0.1976, deg 0.0859, and 3 more" },
+	{ 7, "T01 T42 bend: kn 1.728" },
+	{ 8, "T11-45 up and down: er 187.4, and 4 more" },
+	{ 9, "T24 turn at the edge: G4 31.74, deg 5.776, ov 0.45, and 2 more" },
+	{ 12, "T30 stand: G1 7.438, and 1 more" },
+	{ 13, "under the floor: 8.804 mm" },
+	{ 14, "T11-20 T38 heels: flat 10.46" },
+	{ 17, "T02 T47 root at 10 Hz: G1 25.24, G4 59.91, deg 26.98, and 3 more" },
+	{ 18, "T02 T33 jump unlabelled: G4 48.63, deg 20.44, and 1 more" },
+	{ 22, "T02 1.40 stepped: G4 59.9, deg 26.98, and 7 more" },
+	{ 28, "T04 walk 45: G2 19.62, sw 74.14, G4 43.67, deg 19.43, and 4 more" },
+	{ 29, "T02 1.04 ramped: G2 0.2222, sw 71.58, G3 9.268, G4 46.03, deg 12.16, and 2 more" },
+	{ 31, "T02 T46 3 frames late: G4 843.7, deg 176.2, and 15 more" },
+	{ 32, "T01 T42 bend: G4 52.18, deg 24.58, and 1 more" },
+	{ 33, "T01 T41 run, stop unlabelled: G2 0.06265, sw 37.47" },
 };
 
 // ------------------------------------------------------------------------------------------------------------- proofs
@@ -272,14 +288,22 @@ static void complaint04ToesDoNotFlipUpOnRocks( void** state )
 	testEndProof( &proof );
 }
 
-#define WILD_POSES 1000000
+/// T54: a million poses, tried once for all that is asked of them.
+static testWild testGetWild( void )
+{
+	static testWild s_wild;
+	static bool s_tried;
+	s_wild = s_tried ? s_wild : testTryAnything( &s_actor, 1000000 );
+	s_tried = true;
+	return s_wild;
+}
 
 static void complaint05KneesStayOnTheirSide( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( 5 );
 	testProveAll( &proof, "T22", "", test_g6 );
-	testWild wild = testTryAnything( &s_actor, WILD_POSES );
+	testWild wild = testGetWild();
 	testProveFigure( &proof, "T54: a knee the wrong way", wild.straight, 1e-3, "degrees" );
 	testEndProof( &proof );
 }
@@ -574,7 +598,7 @@ static void complaint26OutOfReachIsStillAPose( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( 26 );
-	testWild wild = testTryAnything( &s_actor, WILD_POSES );
+	testWild wild = testGetWild();
 	testProveFigure( &proof, "T54: not finite", wild.broken, 0.0, "" );
 	testProveFigure( &proof, "T54: beyond its reach", wild.reach, 1e-4, "of a leg" );
 	testEndProof( &proof );
