@@ -340,11 +340,11 @@ static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 	const uint32_t chosen = (uint32_t)sole_stateChosen;
 	const uint32_t foreseen = (uint32_t)( sole_statePlanned | sole_stateForeseen );
 	uint32_t flags = state->flags;
-	state->flags &= ~foreseen;
 	if ( leg->missed )
 	{
-		return;
+		return; // all is as it was
 	}
+	state->flags &= ~foreseen;
 	if ( leg->touches == false )
 	{
 		state->flags &= ~chosen;

@@ -199,6 +199,7 @@ void soleSetUpFrame( solePlaceWork* work )
 	{
 		soleForget( work->state, work->legCount );
 	}
+	work->second = frame->secondPose != NULL ? work->state->second.value : 0.0f;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleLegWork* leg = work->legs + i;

@@ -168,6 +168,7 @@ typedef struct solePlaceWork
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
 	float pelvisShift;     // along up
+	float second;          // weight of the second pose in this frame
 	float weight;          // of the whole: the largest of the legs'
 	soleVec3 balance;      // of the pelvis, horizontal
 	soleVec3 bodyGradient; // slope of the ground that the body is over
