@@ -101,6 +101,7 @@ typedef struct soleActHost
 	double dropped;                    // share of answers that get lost
 	double blindFrom;                  // no answers between these times, s
 	double blindUntil;
+	bool unlabelled; // it knows of no contacts and steps: clips are blended, or disturbed on purpose
 } soleActHost;
 
 struct soleAct

@@ -52,7 +52,7 @@ static const soleAct s_acts[] = {
 	{ "T08", "up and down 60", sole_gaitWalk, sole_rootStepped, { -2.4, -1.1, 60, 0, 1.4 }, 4, { 0 }, { 0 } },
 	{ "T08", "one foot up", sole_gaitIdle, sole_rootStepped, { 0, 0, 90, 0, 0 }, 4, { 0 }, { 0 } },
 	{ "T08", "stop on it", sole_gaitWalk, sole_rootStepped, { 0, -2.1, 0, 0, 1.4 }, 5, { solePlayToIdle, 1.55, 1 },
-	    { 0 } },
+	    { .unlabelled = true } },
 
 	// T09, T10
 	{ "T09", "walk", sole_gaitWalk, sole_rootFixed, { 0, 0.9, 0, 0, 1.4 }, 6, { 0 }, { 0 } },
@@ -81,9 +81,9 @@ static const soleAct s_acts[] = {
 	// T12, T13
 	{ "T12", "walk", sole_gaitWalk, sole_rootStepped, { 0, 0.9, 0, 0, 1.4 }, 12, { 0 }, { 0 } },
 	{ "T13", "climb beside", sole_gaitWalk, sole_rootStepped, { 0.448, 1, 0, 0, 1 }, 6.5, { solePlayToIdle, 3.4, 1 },
-	    { 0 } },
+	    { .unlabelled = true } },
 	{ "T13", "step out", sole_gaitStrafe, sole_rootStepped, { 0, 4.5, 90, -90, 0.3 }, 6.5,
-	    { solePlaySidestep, 0.448, 1 }, { 0 } },
+	    { solePlaySidestep, 0.448, 1 }, { .unlabelled = true } },
 
 	// T14: uphill on the left and on the right
 	{ "T14-20", "stand left", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 4, { 0 }, { 0 } },
@@ -116,7 +116,8 @@ static const soleAct s_acts[] = {
 	{ "T17", "stand", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 4, { solePlaySpots, 4.2, 12 }, { 0 } },
 
 	// T18 to T20
-	{ "T18", "nudged", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 5, { solePlayNudge, 0.001, 1 }, { 0 } },
+	{ "T18", "nudged", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 5, { solePlayNudge, 0.001, 1 },
+	    { .unlabelled = true } },
 	{ "T18", "stand", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 4, { 0 }, { 0 } },
 	{ "T19", "stand", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 12, { 0 }, { 0 } },
 	{ "T20-low", "stand", sole_gaitIdle, sole_rootStepped, { 0, 5, 0, 0, 0 }, 4, { 0 }, { 0 } },
@@ -169,8 +170,9 @@ static const soleAct s_acts[] = {
 
 	// T33
 	{ "T11-20", "T33 jump", sole_gaitWalk, sole_rootStepped, { 0, 0.8, 0, 0, 1.4 }, 3, { solePlayJump, 0.9, 1 },
-	    { 0 } },
-	{ "T02", "T33 jump", sole_gaitWalk, sole_rootStepped, { 0, 0.9, 0, 0, 1.4 }, 2.5, { solePlayJump, 0.6, 1 }, { 0 } },
+	    { .unlabelled = true } },
+	{ "T02", "T33 jump", sole_gaitWalk, sole_rootStepped, { 0, 0.9, 0, 0, 1.4 }, 2.5, { solePlayJump, 0.6, 1 },
+	    { .unlabelled = true } },
 
 	// T34
 	{ "T01", "T34 crouch 0.20", sole_gaitIdle, sole_rootStepped, { 0, 0, 0, 0, 0 }, 6, { solePlayCrouch, 0.2, 8 },
@@ -187,8 +189,9 @@ static const soleAct s_acts[] = {
 	{ "T11-20", "T35 at once", sole_gaitIdle, sole_rootStepped, { -0.2, 6, 0, 0, 0 }, 6, { solePlayWeight, 0, 1 },
 	    { 0 } },
 	{ "T11-20", "T36 foot jump", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 4, { solePlayFootJump, 2, 1 },
-	    { 0 } },
-	{ "T11-20", "T36 tap", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 4, { solePlayTap, 2, 1 }, { 0 } },
+	    { .unlabelled = true } },
+	{ "T11-20", "T36 tap", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 4, { solePlayTap, 2, 1 },
+	    { .unlabelled = true } },
 	{ "T11-20", "T36 miss", sole_gaitIdle, sole_rootStepped, { 0, 6, 0, 0, 0 }, 4, { 0 },
 	    { .blindFrom = 1.999, .blindUntil = 2.001 } },
 
@@ -214,15 +217,15 @@ static const soleAct s_acts[] = {
 	{ "T01", "T40 strafe 0.30", sole_gaitStrafe, sole_rootStepped, { -2, 0, 90, -90, 0.3 }, 6, { 0 }, { 0 } },
 	{ "T01", "T40 strafe 0.60", sole_gaitStrafe, sole_rootStepped, { -2, 0, 90, -90, 0.6 }, 6, { 0 }, { 0 } },
 	{ "T01", "T40 swapped", sole_gaitStrafe, sole_rootStepped, { 0, 0, 90, -90, 0.6 }, 4, { solePlaySwap, 4, 1 },
-	    { 0 } },
+	    { .unlabelled = true } },
 
 	// T41: 1.55 and 2.55 strides are double support
 	{ "T01", "T41 walk, stop", sole_gaitWalk, sole_rootStepped, { 0, -3, 0, 0, 1.3 }, 4, { solePlayStop, 2.52, 1 },
 	    { 0 } },
 	{ "T01", "T41 walk, idle", sole_gaitWalk, sole_rootStepped, { 0, -3, 0, 0, 1.3 }, 4, { solePlayToIdle, 2.5, 1 },
-	    { 0 } },
+	    { .unlabelled = true } },
 	{ "T01", "T41 run, stop", sole_gaitRun, sole_rootStepped, { 0, -8, 0, 0, 3.3 }, 5, { solePlayToIdle, 2.5, 1 },
-	    { 0 } },
+	    { .unlabelled = true } },
 
 	// T42
 	{ "T11-20", "T42 sprint", sole_gaitRun, sole_rootStepped, { 0, 0.9, 0, 0, 6 }, 3.2, { 0 }, { 0 } },
@@ -257,11 +260,11 @@ static const soleAct s_acts[] = {
 	{ "T02", "T47 root at 10 Hz", sole_gaitWalk, sole_rootStepped, { 0, 0.9, 0, 0, 1.4 }, 6.9, { 0 },
 	    { .rootRate = 10 } },
 	{ "T16", "T47 corrected, 10 Hz", sole_gaitWalk, sole_rootStepped, { 0, -5, 0, 0, 1.4 }, 7,
-	    { solePlayCorrected, 0.1, 1 }, { .rootRate = 10 } },
+	    { solePlayCorrected, 0.1, 1 }, { .rootRate = 10, .unlabelled = true } },
 	{ "T02", "T47 root at 20 Hz", sole_gaitWalk, sole_rootStepped, { 0, 0.9, 0, 0, 1.4 }, 6.9, { 0 },
 	    { .rootRate = 20 } },
 	{ "T16", "T47 corrected, 20 Hz", sole_gaitWalk, sole_rootStepped, { 0, -5, 0, 0, 1.4 }, 7,
-	    { solePlayCorrected, 0.1, 1 }, { .rootRate = 20 } },
+	    { solePlayCorrected, 0.1, 1 }, { .rootRate = 20, .unlabelled = true } },
 };
 
 const soleAct* soleGetActs( int32_t* count )

@@ -50,8 +50,7 @@ static void testFindParts( const testRun* run, int32_t frame, soleVec3 parts[3] 
 	parts[2] = joints[def->legs[1].joints[2]].translation;
 }
 
-/// Largest distance of a foot or the pelvis between two frames, mm.
-static double testCompareFrames( const testRun* a, int32_t frameA, const testRun* b, int32_t frameB )
+double testCompareFrames( const testRun* a, int32_t frameA, const testRun* b, int32_t frameB )
 {
 	soleVec3 partsA[3];
 	soleVec3 partsB[3];
@@ -160,7 +159,7 @@ static double testAcrossPause( const testActor* actor, const testCheck* check )
 	return apart;
 }
 
-static double testCountFlags( const testRun* run, uint32_t flag )
+double testCountFlags( const testRun* run, uint32_t flag )
 {
 	double count = 0.0;
 	for ( int32_t i = 0; i < run->frameCount * run->legCount; ++i )

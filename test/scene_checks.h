@@ -20,4 +20,9 @@ struct testCheck
 
 const testCheck* testGetChecks( int32_t* count );
 
+/// Largest distance of a foot or the pelvis between two frames, mm.
+double testCompareFrames( const testRun* a, int32_t frameA, const testRun* b, int32_t frameB );
+/// Over all frames and legs.
+double testCountFlags( const testRun* run, uint32_t flag );
+
 #endif

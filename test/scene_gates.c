@@ -43,7 +43,7 @@ static void testFindLeg(
 	leg->hinge = soleRotate( joints[def.joints[0]].rotation, soleInvRotate( bind, def.hinge ) );
 }
 
-static void testFindBody( const testRun* run, int32_t frame, const soleTransform* poses, testBodyPose* body )
+void testFindBody( const testRun* run, int32_t frame, const soleTransform* poses, testBodyPose* body )
 {
 	testFindJoints( run, frame, poses + (size_t)frame * (size_t)run->jointCount, body->joints );
 	body->pelvis = body->joints[run->actor->character.rigDef.pelvis];
@@ -141,14 +141,7 @@ static void testMeasureRest( testMeter* meter, int32_t frame, int32_t leg )
 
 // --------------------------------------------------------------------------------------------------------------- legs
 
-typedef struct testKnee
-{
-	double bend; // degrees, below zero: the wrong way
-	soleVec3 normal;
-	double reach; // share of the bones
-} testKnee;
-
-static testKnee testFindKnee( const testLegPose* leg )
+testKnee testFindKnee( const testLegPose* leg )
 {
 	soleVec3 thigh = soleSub( leg->knee, leg->hip );
 	soleVec3 shin = soleSub( leg->foot.translation, leg->knee );
@@ -314,6 +307,19 @@ void testMeasureRun( const testRun* run, testGates* gates )
 	free( meter );
 }
 
+testGates testMeasureAct( const testActor* actor, const testWorld* world, const soleAct* act )
+{
+	testGates gates = testStartGates();
+	for ( int32_t take = 0; take == 0 || take < act->special.takeCount; ++take )
+	{
+		testRun run;
+		testPlay( actor, world, act, take, 0.0, &run );
+		testMeasureRun( &run, &gates );
+		testFreeRun( &run );
+	}
+	return gates;
+}
+
 uint32_t testFindFailed( const testGates* g )
 {
 	const struct
@@ -337,6 +343,7 @@ uint32_t testFindFailed( const testGates* g )
 		{ test_gYaw, g->yaw.value <= 0.0 },
 		{ test_gApart, g->overlap.value <= 0.0 },
 		{ test_gKnee, g->kneeRate.value <= 1.5 },
+		{ test_gTrue, g->reported.value <= 5e-3 },
 		{ test_gPlants, g->plants >= 0.5 * g->clipPlants },
 	};
 	uint32_t failed = 0;

@@ -41,6 +41,7 @@ typedef struct testGates
 	testWorst yaw;      // of a foot against the pelvis beyond 30 inwards and 60 outwards
 	testWorst overlap;  // of the outlines of both feet; below zero: apart
 	testWorst kneeRate; // fastest knee, of the input's
+	testWorst reported; // by how much the reported error of a planted foot differs from the gap under it
 	double plants;      // stances that began, of those that the clips have
 	double clipPlants;
 } testGates;
@@ -48,6 +49,8 @@ typedef struct testGates
 testGates testStartGates( void );
 /// Adds a run.
 void testMeasureRun( const testRun* run, testGates* gates );
+/// All takes of an act.
+testGates testMeasureAct( const testActor* actor, const testWorld* world, const soleAct* act );
 
 enum
 {
@@ -68,7 +71,8 @@ enum
 	test_gApart = 1 << 14,  // outlines don't overlap
 	test_gKnee = 1 << 15,   // knees 1.5 x as fast as the input's at most
 	test_gPlants = 1 << 16, // at least half of the clip's stances are held
-	test_gCheck = 1 << 17   // what runs are compared for
+	test_gTrue = 1 << 17,   // what is reported of a planted foot is the gap under it
+	test_gCheck = 1 << 18   // what runs are compared for
 };
 
 /// The gates that are not met.

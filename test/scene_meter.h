@@ -35,6 +35,18 @@ typedef struct testBodyPose
 	testLegPose legs[2];
 } testBodyPose;
 
+typedef struct testKnee
+{
+	double bend; // degrees, below zero: the wrong way
+	soleVec3 normal;
+	double reach; // share of the bones
+} testKnee;
+
+testKnee testFindKnee( const testLegPose* leg );
+
+/// @param poses input or output of the run
+void testFindBody( const testRun* run, int32_t frame, const soleTransform* poses, testBodyPose* body );
+
 typedef struct testStance
 {
 	bool running;

@@ -37,8 +37,7 @@ double testGetStride( const testActor* actor, const soleSceneMoment* moment )
 	return moment->scale * ( own > 0.0 && moment->stride > 0.0 ? moment->stride : own );
 }
 
-/// Time of a gait's clip: by the way that it has gone, or by the clock where it stands.
-static double testGetClipTime( const testActor* actor, soleGait gait, const soleSceneMoment* moment, double time )
+double testGetClipTime( const testActor* actor, soleGait gait, const soleSceneMoment* moment, double time )
 {
 	soleSceneMoment other = *moment;
 	other.gait = gait;
@@ -63,16 +62,11 @@ static double testGetStridePart( double phase )
 	return STANCE * ( rise - 0.5 ) - swing * bow;
 }
 
-/// How far each foot has to be moved ahead to make strides of the wanted length.
-static void testWarpStride( const testActor* actor, const soleSceneMoment* moment, double clipTime, soleVec3 feet[2] )
+double testGetStrideShift( const testActor* actor, const soleSceneMoment* moment, double clipTime, int32_t side )
 {
-	const toolBoundClip* clip = actor->clips + moment->gait;
-	double own = testGetOwnStride( actor, moment->gait );
-	for ( int side = 0; side < 2 && moment->stride > 0.0; ++side )
-	{
-		double phase = clipTime / (double)clip->duration + 0.5 * side;
-		feet[side].z += (float)( ( moment->stride - own ) * testGetStridePart( phase ) );
-	}
+	double phase = clipTime / (double)actor->clips[moment->gait].duration + 0.5 * side;
+	double longer = moment->stride > 0.0 ? moment->stride - testGetOwnStride( actor, moment->gait ) : 0.0;
+	return longer * testGetStridePart( phase );
 }
 
 /// Bends one leg so that its foot comes to a place; the toes keep their rotation.
@@ -161,7 +155,10 @@ void testMakePose( const testActor* actor, const soleSceneMoment* moment, double
 	double clipTime = testGetClipTime( actor, moment->gait, moment, time );
 	toolSampleLooped( character, actor->clips + moment->gait, actor->travels + moment->gait, clipTime, pose, &own );
 	soleVec3 feet[2] = { moment->feet[0], moment->feet[1] };
-	testWarpStride( actor, moment, clipTime, feet );
+	for ( int side = 0; side < 2; ++side )
+	{
+		feet[side].z += (float)testGetStrideShift( actor, moment, clipTime, side );
+	}
 	bool sized = moment->heel != 0.0 || moment->legs != 1.0;
 	if ( sized || !testIsZero( moment->hips ) || !testIsZero( feet[0] ) || !testIsZero( feet[1] ) )
 	{

@@ -2,8 +2,10 @@
 // Plays acts frame by frame as a host would. World space, metres.
 #include "test.h"
 
+#include "mannequin.h"
 #include "scene_pose.h"
 #include "scene_run.h"
+#include "scene_steps.h"
 
 // ---------------------------------------------------------------------------------------------------------- the world
 
@@ -85,12 +87,20 @@ static bool testFindFloor( void* user, double x, double z, double ceiling, doubl
 
 // ---------------------------------------------------------------------------------------------------------- the actor
 
-void testOpenActor( testActor* actor )
+void testOpenActor( testActor* actor, void ( *change )( toolModel* model ) )
 {
 	static const char* const names[sole_gaitCount] = { "idle", "walk", "run", "strafe", "crouch", "crouch_walk" };
 	toolError error = { { 0 } };
 	memset( actor, 0, sizeof *actor );
-	assert_true( toolOpenCharacter( "mannequin", &actor->gltf, &error ) );
+	toolModel made;
+	toolMakeMannequin( &made );
+	if ( change != NULL )
+	{
+		change( &made );
+	}
+	actor->gltf = toolMakeGltf( &made );
+	toolFreeModel( &made );
+	assert_non_null( actor->gltf );
 	const toolModel* model = toolGltf_GetModel( actor->gltf );
 	assert_true( toolMakeCharacter( model, "mannequin", 1.0f, &actor->character, &error ) );
 	for ( int32_t i = 0; i < sole_gaitCount; ++i )
@@ -99,6 +109,8 @@ void testOpenActor( testActor* actor )
 		assert_true( clip != SOLE_NONE );
 		assert_true( toolBindClip( &actor->character, model, clip, actor->clips + i, &error ) );
 		actor->travels[i] = toolFindTravel( &actor->character, actor->clips + i );
+		toolFindSteps( &actor->character, actor->clips + i, actor->travels + i, actor->steps + i );
+		assert_true( actor->steps[i].count >= actor->character.rigDef.legCount );
 	}
 }
 
@@ -106,6 +118,7 @@ void testCloseActor( testActor* actor )
 {
 	for ( int32_t i = 0; i < sole_gaitCount; ++i )
 	{
+		toolFreeSteps( actor->steps + i );
 		toolFreeBoundClip( actor->clips + i );
 	}
 	toolFreeCharacter( &actor->character );
@@ -200,6 +213,9 @@ static void testStep( const testRun* run, testHost* host, int32_t index, soleTra
 	const soleRig* rig = run->rigs[index];
 	soleGroundPiece pieces[SOLE_SCENE_MAX_PIECES];
 	soleSupport supports[SOLE_SCENE_MAX_PIECES];
+	soleContactInput contacts[SOLE_MAX_LEGS];
+	soleStepInput steps[SOLE_MAX_LEGS];
+	bool labelled = testReadSteps( run, index, contacts, steps );
 	int32_t pieceCount = testGetPieces( run->world, TEST_FEET_LAYERS, run->times[index], moment->origin, pieces );
 	soleFrame frame = {
 		.pose = run->input + (size_t)index * (size_t)run->jointCount,
@@ -207,6 +223,8 @@ static void testStep( const testRun* run, testHost* host, int32_t index, soleTra
 		.up = soleVec( 0.0f, 1.0f, 0.0f ),
 		.timeStep = (float)run->steps[index],
 		.weight = (float)moment->weight,
+		.contact = labelled ? contacts : NULL,
+		.steps = labelled ? steps : NULL,
 		.clipFloor = run->actor->travels[moment->gait].clipFloor,
 		.supports = supports,
 		.supportCount = testGetSupports( pieces, pieceCount, supports ),
@@ -313,6 +331,7 @@ void testPlay(
 	run->input = testAlloc( frames * run->jointCount, sizeof *run->input );
 	run->output = testAlloc( frames * run->jointCount, sizeof *run->output );
 	run->flags = testAlloc( frames * run->legCount, sizeof *run->flags );
+	run->errors = testAlloc( frames * run->legCount, sizeof *run->errors );
 	testMakeInput( run, rate );
 	testPutOnShoes( run );
 	testHost* host = testStartHost( run );
@@ -325,6 +344,7 @@ void testPlay(
 		for ( int32_t leg = 0; leg < run->legCount; ++leg )
 		{
 			run->flags[i * run->legCount + leg] = out.legs[leg].flags;
+			run->errors[i * run->legCount + leg] = out.legs[leg].error;
 			run->finite =
 			    run->finite && soleIsFinite( out.legs[leg].error ) && soleVec3_IsFinite( out.legs[leg].ankle_w );
 		}
@@ -347,6 +367,7 @@ void testFreeRun( testRun* run )
 	free( run->input );
 	free( run->output );
 	free( run->flags );
+	free( run->errors );
 	*run = ( testRun ){ 0 };
 }
 

@@ -8,6 +8,7 @@
 #include "motion.h"
 #include "sole/ground.h"
 #include "source.h"
+#include "steps.h"
 
 /// A scene that can be asked: by probes, and exactly.
 typedef struct testWorld
@@ -35,9 +36,11 @@ typedef struct testActor
 	toolCharacter character;
 	toolBoundClip clips[sole_gaitCount];
 	toolTravel travels[sole_gaitCount];
+	toolSteps steps[sole_gaitCount];
 } testActor;
 
-void testOpenActor( testActor* actor );
+/// @param change what is different in the mannequin. May be NULL
+void testOpenActor( testActor* actor, void ( *change )( toolModel* model ) );
 void testCloseActor( testActor* actor );
 
 /// One run of an act.
@@ -58,6 +61,7 @@ typedef struct testRun
 	soleTransform* input;  // frameCount * jointCount, parent-local
 	soleTransform* output; // likewise
 	uint32_t* flags;       // frameCount * legCount, soleLegFlags
+	float* errors;         // likewise: how far each ankle is from where it was wanted, as Sole says
 	bool finite;           // all that Sole gave out
 } testRun;
 

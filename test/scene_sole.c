@@ -124,6 +124,11 @@ static void testMeasureFooting( testMeter* meter, int32_t frame, int32_t leg, bo
 	{
 		testRaise( meter, frame, leg, footing.gap, &gates->gap );
 	}
+	if ( planted && footing.gap < HUGE_VAL )
+	{
+		double error = (double)run->errors[frame * run->legCount + leg];
+		testRaise( meter, frame, leg, fabs( error - fmax( footing.gap, 0.0 ) ), &gates->reported );
+	}
 	if ( flat && ( planted || run->moments[frame].resting ) )
 	{
 		testRaise( meter, frame, leg, footing.overhang, &gates->overhang );

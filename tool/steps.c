@@ -9,6 +9,7 @@
 
 #define FINE_RATE 240.0 // Hz
 #define MOST_SAMPLES 20000.0
+#define MOST_FORESEEN 1e6f // s
 
 void toolFindSteps(
     const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel, toolSteps* steps )
@@ -44,8 +45,47 @@ void toolFreeSteps( toolSteps* steps )
 	*steps = ( toolSteps ){ 0 };
 }
 
-/// What the root of a walk will do between two times of the clip, as seen from where it is: by its own motion where it
-/// has one, else going on as it goes.
+bool toolReadStep( const toolBoundClip* bound, const toolTravel* travel, const toolSteps* steps, double clipTime,
+    double rate, int32_t leg, soleContactInput* contact, soleStepInput* input )
+{
+	*contact = ( soleContactInput ){ -1.0f, -1.0f };
+	*input = ( soleStepInput ){ .since = -1.0f, .until = -1.0f };
+	if ( steps->count == 0 )
+	{
+		return false;
+	}
+	toolRoundTime time = toolFindRound( bound, travel, clipTime );
+	soleGetStepInput(
+	    steps->steps, steps->count, bound->duration, travel->loops, (float)time.rest, leg, contact, input );
+	// From the clip's time to that of the world. A clip that stands still foretells nothing.
+	float perRate = rate > 0.0 ? (float)( 1.0 / rate ) : SOLE_STEP_ENDLESS;
+	input->since = input->since > 0.0f ? input->since * perRate : input->since;
+	float until = input->until * perRate;
+	input->until = until >= 0.0f && until < MOST_FORESEEN ? until : -1.0f;
+	return input->until >= 0.0f;
+}
+
+toolPace toolFindPace( const toolCharacter* character, soleTransform before, soleTransform now, double time )
+{
+	if ( !( time > 0.0 ) )
+	{
+		return ( toolPace ){ .turnRate = 0.0f };
+	}
+	soleVec3 up = soleRig_GetUp( character->rig );
+	float perSecond = (float)( 1.0 / time );
+	// A root that turns has gone this way as it was headed half way.
+	soleQuat halfWay = soleNlerp( before.rotation, now.rotation, 0.5f );
+	soleVec3 step = soleInvRotate( halfWay, soleSub( now.translation, before.translation ) );
+	soleQuat turn = soleMulQuat( soleConjugate( before.rotation ), now.rotation );
+	float sine = soleDot( soleVec( turn.x, turn.y, turn.z ), up );
+	return ( toolPace ){
+		.velocity = soleScale( perSecond / now.scale.x, soleReject( step, up ) ),
+		.turnRate = 2.0f * perSecond * ( turn.w < 0.0f ? -sine : sine ),
+	};
+}
+
+/// What the root of a walk will do in the next time, as seen from where it is: by its own motion where it has one, else
+/// going on as it goes.
 static soleTransform toolForeseeRoot( const toolCharacter* character, const toolBoundClip* bound,
     const toolTravel* travel, const toolWalk* walk, int32_t frame, double wait )
 {
@@ -53,50 +93,30 @@ static soleTransform toolForeseeRoot( const toolCharacter* character, const tool
 	{
 		double now = walk->clipTimes[frame];
 		soleTransform from = toolSampleRoot( character, bound, travel, now );
-		soleTransform to = toolSampleRoot( character, bound, travel, now + wait );
+		soleTransform to = toolSampleRoot( character, bound, travel, now + walk->rate * wait );
 		soleTransform travelled = soleTransform_Identity();
 		travelled.rotation = soleNormalizeQuat( soleMulQuat( soleConjugate( from.rotation ), to.rotation ) );
 		travelled.translation = soleInvRotate( from.rotation, soleSub( to.translation, from.translation ) );
 		return travelled;
 	}
-	if ( frame < 1 )
+	toolPace pace = { .velocity = soleScale( (float)walk->rate, travel->strideVelocity ) };
+	if ( frame > 0 )
 	{
-		return soleExtrapolate( travel->strideVelocity, 0.0f, soleRig_GetUp( character->rig ), (float)wait );
+		pace = toolFindPace( character, walk->roots[frame - 1], walk->roots[frame], 1.0 / walk->fps );
 	}
-	soleTransform root = walk->roots[frame];
-	soleTransform before = walk->roots[frame - 1];
-	float perSecond = (float)walk->fps;
-	soleVec3 up = soleRig_GetUp( character->rig );
-	soleVec3 step = soleInvRotate( root.rotation, soleSub( root.translation, before.translation ) );
-	soleQuat turn = soleMulQuat( soleConjugate( before.rotation ), root.rotation );
-	float sine = soleDot( soleVec( turn.x, turn.y, turn.z ), up );
-	soleVec3 velocity = soleScale( perSecond / root.scale.x, soleReject( step, up ) );
-	float turnRate = 2.0f * perSecond * ( turn.w < 0.0f ? -sine : sine );
-	return soleExtrapolate( velocity, turnRate, up, (float)( wait / walk->rate ) );
+	return soleExtrapolate( pace.velocity, pace.turnRate, soleRig_GetUp( character->rig ), (float)wait );
 }
 
 void toolReadSteps( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
     const toolSteps* steps, const toolWalk* walk, int32_t frame, soleContactInput* contacts, soleStepInput* inputs )
 {
-	toolRoundTime time = toolFindRound( bound, travel, walk->clipTimes[frame] );
-	float rate = (float)walk->rate;
 	for ( int32_t leg = 0; leg < character->rigDef.legCount; ++leg )
 	{
-		contacts[leg] = ( soleContactInput ){ -1.0f, -1.0f };
-		inputs[leg] = ( soleStepInput ){ .since = -1.0f, .until = -1.0f };
-		if ( steps->count > 0 )
+		soleStepInput* input = inputs + leg;
+		if ( toolReadStep( bound, travel, steps, walk->clipTimes[frame], walk->rate, leg, contacts + leg, input ) )
 		{
-			soleGetStepInput( steps->steps, steps->count, bound->duration, travel->loops, (float)time.rest, leg,
-			    contacts + leg, inputs + leg );
-			float wait = inputs[leg].until;
-			if ( wait >= 0.0f && wait < SOLE_STEP_ENDLESS )
-			{
-				soleStepInput_Travel(
-				    inputs + leg, toolForeseeRoot( character, bound, travel, walk, frame, (double)wait ) );
-			}
-			// From the clip's time to that of the walk.
-			inputs[leg].since = inputs[leg].since > 0.0f ? inputs[leg].since / rate : inputs[leg].since;
-			inputs[leg].until = inputs[leg].until > 0.0f ? inputs[leg].until / rate : inputs[leg].until;
+			soleStepInput_Travel(
+			    input, toolForeseeRoot( character, bound, travel, walk, frame, (double)input->until ) );
 		}
 	}
 }
