@@ -141,7 +141,6 @@ static void theBlendedPoseHasTheLegsOfTheOutput( void** state )
 	testEndRun( &c.run );
 }
 
-#if TEST_OPEN // F4
 static void theBlendedPoseIsTheOneThatWasPlacedInEveryFrame( void** state )
 {
 	(void)state;
@@ -161,7 +160,6 @@ static void theBlendedPoseIsTheOneThatWasPlacedInEveryFrame( void** state )
 	}
 	testEndRun( &c.run );
 }
-#endif
 
 static void withoutASecondPoseAllIsAsEver( void** state )
 {
@@ -241,9 +239,7 @@ int main( void )
 		cmocka_unit_test( itIsKnownAtOnceInTheFirstFrame ),
 		cmocka_unit_test( itComesAndGoesSmoothly ),
 		cmocka_unit_test( theBlendedPoseHasTheLegsOfTheOutput ),
-#if TEST_OPEN // F4
 		cmocka_unit_test( theBlendedPoseIsTheOneThatWasPlacedInEveryFrame ),
-#endif
 		cmocka_unit_test( withoutASecondPoseAllIsAsEver ),
 		cmocka_unit_test( aSecondPoseThatIsNotWantedChangesNothing ),
 		cmocka_unit_test( aSecondPoseThatIsGivenLaterBlendsInFromZero ),

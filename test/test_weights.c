@@ -96,10 +96,6 @@ static void noWeightThatJumpsMakesAJointJump( void** state )
 	(void)state;
 	for ( int32_t part = 0; part < partCount; ++part )
 	{
-		if ( part == partLeft && TEST_OPEN == 0 ) // F1, F2
-		{
-			continue;
-		}
 		float turned, moved;
 		jumpAbout( (Part)part, &turned, &moved );
 		// The whole way in one frame is 0.5 rad and 0.2 m; spread evenly over blendOut it is a ninth.
@@ -288,9 +284,7 @@ static void noLockSurvivesWeightZero( void** state )
 	for ( int32_t part = 0; part < partRotation; ++part )
 	{
 		loseHold( (Part)part, false );
-#if TEST_OPEN // F3
 		loseHold( (Part)part, true );
-#endif
 	}
 }
 
