@@ -519,7 +519,8 @@ typedef struct soleLegOutput
 	/// The plane that carries the sole: a point under the ankle and the unit normal, world.
 	soleVec3 planePoint_w;
 	soleVec3 planeNormal_w;
-	/// By how much the bones were made longer: what the translations of all joints after the hip are multiplied with.
+	/// By how much the bones were made longer: what the translations of all joints from below the hip to the ankle are
+	/// multiplied with.
 	float stretch;
 	/// How far the ankle is from where it was wanted, when heel, pelvis, stretch and reach have given what they can.
 	float error;
