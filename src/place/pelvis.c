@@ -170,11 +170,12 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 	return state->pelvisHeld;
 }
 
-/// How far the body's ground has moved along up since the last frame, beyond the bodies that it is part of.
+/// How far the body's ground has moved along up since the last frame, as far as it was foreseen and beyond the bodies
+/// that it is part of.
 static float soleGroundStep( const solePlaceWork* work )
 {
 	const soleState* state = work->state;
-	return work->bodyGround - state->bodyGround + soleDot( soleSub( work->root_w, state->root_w ), work->up ) -
+	return work->bodyBefore - state->bodyGround + soleDot( soleSub( work->root_w, state->root_w ), work->up ) -
 	    work->carriedUp;
 }
 
