@@ -69,11 +69,10 @@ static void complaint02DownhillTheWholeSoleTouches( void** state )
 	static const char* const scenes[] = { "T11-10", "T11-20", "T11-30", "T11-45" };
 	for ( int i = 0; i < 4; ++i )
 	{
-		// Up to z = 10, level to z = 12, and down: from half a metre before that.
+		// The slope down is from z = 12 to 20; a sole across one of its edges can't touch with both.
 		soleAct down = *testGetAct( scenes[i], "up and down" );
-		double skipped = 11.5 - down.course.z;
-		down.course.z += skipped;
-		down.duration -= skipped / down.course.speed;
+		down.course.z = 12.8;
+		down.duration = ( 19.2 - down.course.z ) / down.course.speed;
 		testProveAct( &proof, &down, test_gFlat );
 	}
 	testJudge( &proof );
