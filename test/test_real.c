@@ -277,7 +277,7 @@ static void frameRatesAgree( const char* character, const char* clip, const char
 	print_message( "%s on %s, against 60 Hz: 30 Hz p95 %.1f max %.1f mm, 144 Hz p95 %.1f max %.1f mm\n", clip, ground,
 	    1e3 * slow, 1e3 * slowest, 1e3 * fast, 1e3 * fastest );
 	assert_true( slow <= bound && fast <= bound );
-	assert_true( slowest <= 0.015 && fastest <= 0.015 ); // a foot in flight, at lift-off and before a slope
+	assert_true( slowest <= 0.020 && fastest <= 0.020 ); // a frame of a foot in flight over an edge, pointing down
 	for ( int32_t i = 0; i < 3; ++i )
 	{
 		testCloseTake( takes + i );
@@ -289,10 +289,10 @@ static void framesPerSecondMakeLittleDifference( void** state )
 	(void)state;
 	TEST_NEEDS_DATA( PAB );
 	TEST_NEEDS_DATA( QUATERNIUS );
-	frameRatesAgree( PAB, "walk", "T01", 0.004 );
-	frameRatesAgree( PAB, "walk", "T11-20", 0.005 );
-	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T01", 0.004 );
-	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T11-20", 0.005 );
+	frameRatesAgree( PAB, "walk", "T01", 0.003 );
+	frameRatesAgree( PAB, "walk", "T11-20", 0.003 );
+	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T01", 0.003 );
+	frameRatesAgree( QUATERNIUS, "Walk_Loop", "T11-20", 0.003 );
 }
 
 int main( void )

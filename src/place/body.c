@@ -27,7 +27,8 @@ static float soleFitBodyGround( const solePlaceWork* work, bool before, soleVec3
 		const soleLegWork* leg = work->legs + i / 2;
 		const soleStand* stand = before ? &leg->standBefore : &leg->stand;
 		bool counts = leg->usable && ( before ? leg->hadGround : leg->hasGround );
-		float weight = counts ? leg->weight * ( i % 2 == 0 ? 1.0f - stand->share : stand->share ) : 0.0f;
+		float legWeight = before ? leg->weightBefore : leg->weight;
+		float weight = counts ? legWeight * ( i % 2 == 0 ? 1.0f - stand->share : stand->share ) : 0.0f;
 		soleVec3 from = soleSub( i % 2 == 0 ? stand->from : stand->to, pelvis );
 		float du = soleDot( from, ahead ), dv = soleDot( from, aside ), dh = soleDot( from, work->up );
 		w += weight;

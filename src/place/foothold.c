@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Foothold: where the next step lands, and the plane that a foot follows on its way there.
 //
-// Where. The host tells, from the clip, when the foot comes down and where the animation means it to: its landing. Of
-// places along the foot around the landing, within foothold.shift, the one is taken that costs least,
+// Where. foresee.c knows when a foot comes down and where the animation means it to: its landing. Of places along the
+// foot around the landing, within foothold.shift, the one is taken that costs least,
 //   cost = 2 distance + max( 0, share - bearing share ) + 10 max( 0, depth - 2 mm )     lengths in leg lengths / 0.9
 // and half of the second term for what is ahead of the ball and for what is behind it, each by itself: a foot comes
-// down on its heel and leaves with its toes, so that a sole does not hang over an edge when a small shift helps. The
-// place taken last is one of them, and keeps its rank unless another is better by MUCH; near the end it is settled. The
-// foot travels there in flight: it need not slide once it is down.
+// down on its heel and leaves with its toes, so a sole should not hang over an edge when a small shift helps. The place
+// taken last is one of them, and keeps its rank unless another is better by MUCH; near the end it is settled. The foot
+// travels there in flight, on the way of way.c: it need not slide once it is down.
 //
-// The way. From the plane on which the foot stood to the one on which it will, the height of the ground under it goes
-// along the chord between both places, by the share s of the way that it has come (by the share of the time where both
-// are close together), lifted over what lies between by a smoothed upper hull;  the slope goes over smoothly with time.
-// On an even slope that is the slope itself.
+// Standing. A foot that comes down stands on what was foreseen until it is held; then its ground is read closely, once,
+// and that plane is kept until what is met under the foot changes.
 //
 // A foot that is not foreseen follows the ground under it. It has to pass over what comes: where the ground that its
 // toes will be over soon is higher than its plane, the plane is raised by as much. What rises gently is no obstacle.
@@ -21,6 +19,7 @@
 // offset that decays. Slopes pass without lag, since the old plane already foretold them; steps are taken up softly by
 // a foot in flight, quickly by a planted one.
 #include "place/rest.h"
+#include "place/way.h"
 
 #define GENTLE 0.5f      // rise per length
 #define MUCH 0.02f       // of cost, by which a place has to be better that is
@@ -33,166 +32,7 @@
 #define FEW 0.34f        // share of the places under a sole
 #define DEPTH 0.0022f    // L
 #define SHIFTS 4         // to either side
-#define BY_TIME 0.25f    // L: a step shorter than this goes by time
 #define UNFIT 1.0f       // cost of a place that cannot be walked on, or is not known
-#define NEAR_END 0.06f   // share of the way near its ends in which nothing can be cleared any more
-#define MOST_MORE 1.6f
-
-// ---------------------------------------------------------------------------------------------------------- the way
-
-/// From where to where, and how far along.
-typedef struct soleWay
-{
-	soleVec3 from;
-	soleVec3 to;
-	soleVec3 fromGradient;
-	soleVec3 toGradient;
-	const float* lift;
-} soleWay;
-
-static soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal )
-{
-	float up = soleMaxF( soleDot( normal, work->up ), 0.05f );
-	return soleScale( -1.0f / up, soleHorizontal( work, normal ) );
-}
-
-static soleWay soleRememberWay( const solePlaceWork* work, const soleLegWork* leg )
-{
-	const soleLegState* state = leg->state;
-	return ( soleWay ){
-		soleSub( state->planePoint_w, work->root_w ),
-		soleSub( state->stepPlace_w, work->root_w ),
-		soleGradientOf( work, state->planeNormal_w ),
-		soleGradientOf( work, state->stepNormal_w ),
-		state->stepLift,
-	};
-}
-
-static float soleShareOfTime( const soleLegWork* leg )
-{
-	float whole = leg->stepInput.since + leg->stepInput.until;
-	// A foot that has come down has gone the whole way.
-	return leg->foreseen == false ? 1.0f : ( whole > 0.0f ? leg->stepInput.since / whole : 1.0f );
-}
-
-static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place )
-{
-	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
-	float length2 = soleDot( d, d );
-	float least = BY_TIME * leg->length;
-	float byTime = soleShareOfTime( leg );
-	float byWay =
-	    soleSaturate( soleDot( soleSub( place, way->from ), d ) / soleMaxF( length2, 1e-4f * least * least ) );
-	return byTime + soleSaturate( soleSqrtF( length2 ) / least ) * ( byWay - byTime );
-}
-
-/// A quadratic B-spline over the share of the way, 0 at both ends, its control points at 0, 1/4, 1/2, 3/4 and 1.
-static float soleLiftAt( const float lift[3], float s )
-{
-	const float controls[7] = { -lift[0], 0.0f, lift[0], lift[1], lift[2], 0.0f, -lift[2] };
-	float x = soleClampF( 4.0f * s + 0.5f, 0.0f, 4.999f );
-	int32_t i = (int32_t)x;
-	float t = x - (float)i;
-	float a = 0.5f * ( 1.0f - t ) * ( 1.0f - t );
-	float c = 0.5f * t * t;
-	return a * controls[i] + ( 1.0f - a - c ) * controls[i + 1] + c * controls[i + 2];
-}
-
-/// The plane at a place on the way.
-static solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place )
-{
-	float s = soleShareOfWay( work, leg, way, place );
-	float t = soleShareOfTime( leg );
-	float smooth = t * t * ( 3.0f - 2.0f * t );
-	soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, smooth );
-	soleVec3 chord = soleLerp( way->from, way->to, s );
-	float height = soleDot( chord, work->up ) + soleLiftAt( way->lift, s );
-	height += soleDot( gradient, soleSub( place, chord ) );
-	return soleMakePlane( work, soleAtHeight( work, place, height ), gradient );
-}
-
-/// What a foot on its way must not be lower than: a lift over the chord at a share of the way.
-typedef struct soleClearance
-{
-	float share;
-	float lift;
-} soleClearance;
-
-#define MAX_CLEARANCES ( 3 * SOLE_MAX_PROBES_PER_LEG + 2 )
-
-/// How far the way has to be lifted so that neither heel, ball nor toes meet what lies between its ends.
-static int32_t soleFindClearances(
-    const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleClearance* list )
-{
-	int32_t count = 0;
-	list[count++] = ( soleClearance ){ 0.0f, 0.0f };
-	list[count++] = ( soleClearance ){ 1.0f, 0.0f };
-	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
-	float length = soleLength( d );
-	if ( length < BY_TIME * leg->length )
-	{
-		return count;
-	}
-	const float spans[3] = { leg->rig->heelBehind * work->rootScale / length, 0.0f,
-		-leg->rig->toeAhead * work->rootScale / length };
-	for ( int32_t i = 0; i < leg->sampleCount; ++i )
-	{
-		const soleGroundSample* sample = leg->samples + i;
-		float at = soleDot( soleSub( sample->place, way->from ), d ) / ( length * length );
-		for ( int32_t k = 0; k < 3 && sample->found; ++k )
-		{
-			float s = at + spans[k];
-			// A foot that flies in parallel to the slope under it.
-			soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
-			float height = soleDot( soleLerp( way->from, way->to, s ), work->up ) - spans[k] * soleDot( gradient, d );
-			if ( s > NEAR_END && s < 1.0f - NEAR_END && sample->height > height )
-			{
-				list[count++] = ( soleClearance ){ s, sample->height - height };
-			}
-		}
-	}
-	return count;
-}
-
-/// Height of the upper hull of all clearances at a share.
-static float soleHullAt( const soleClearance* list, int32_t count, float s )
-{
-	float highest = 0.0f;
-	for ( int32_t i = 0; i < count; ++i )
-	{
-		for ( int32_t k = 0; k < count; ++k )
-		{
-			if ( list[i].share <= s && list[k].share > s )
-			{
-				float t = ( s - list[i].share ) / ( list[k].share - list[i].share );
-				highest = soleMaxF( highest, list[i].lift + t * ( list[k].lift - list[i].lift ) );
-			}
-		}
-	}
-	return highest;
-}
-
-/// The least lift that clears all: the hull, smoothed, and as much higher as smoothing has lowered it somewhere.
-static void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] )
-{
-	soleClearance list[MAX_CLEARANCES];
-	int32_t count = soleFindClearances( work, leg, way, list );
-	for ( int32_t i = 0; i < 3; ++i )
-	{
-		lift[i] = soleHullAt( list, count, 0.25f * (float)( i + 1 ) );
-	}
-	float more = 1.0f;
-	for ( int32_t i = 2; i < count; ++i )
-	{
-		float has = soleLiftAt( lift, list[i].share );
-		more = has > 0.0f ? soleMaxF( more, list[i].lift / has ) : more;
-	}
-	more = soleMinF( more, MOST_MORE );
-	for ( int32_t i = 0; i < 3; ++i )
-	{
-		lift[i] = soleMinF( more * lift[i], work->settings->probe.stepUp * leg->length );
-	}
-}
 
 // ----------------------------------------------------------------------------------------------------------- where
 
@@ -486,17 +326,25 @@ static void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePla
 	}
 }
 
+/// What counts as the place of a foot: where it is held or flies; where it was foreseen while it comes down.
+static soleVec3 soleStandPlace( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	bool coming = ( state->flags & ( sole_stateForeseen | sole_stateLocked ) ) == sole_stateForeseen;
+	return coming ? soleSub( state->stepPlace_w, work->root_w ) : leg->soleCenter;
+}
+
 static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	const uint32_t chosen = (uint32_t)sole_stateChosen;
 	const uint32_t foreseen = (uint32_t)( sole_statePlanned | sole_stateForeseen );
 	uint32_t flags = state->flags;
-	state->flags &= ~foreseen;
 	if ( leg->missed )
 	{
-		return;
+		return; // all is as it was
 	}
+	state->flags &= ~foreseen;
 	if ( leg->touches == false )
 	{
 		state->flags &= ~chosen;
@@ -510,7 +358,9 @@ static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 		soleComeDown( work, leg, ( flags & foreseen ) != 0 );
 	}
 	leg->raw.point = soleMulAdd( leg->raw.point, soleFindObstacle( work, leg ), work->up );
-	state->planePoint_w = soleAdd( leg->raw.point, work->root_w );
+	soleVec3 place = soleStandPlace( work, leg );
+	place = soleAtHeight( work, place, solePlaneHeight( work, leg->raw, place ) );
+	state->planePoint_w = soleAdd( place, work->root_w );
 	state->planeNormal_w = leg->raw.normal;
 }
 
@@ -552,8 +402,9 @@ void soleChooseFootholds( solePlaceWork* work )
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
 		soleBridgeMiss( work, leg, old );
 		soleWay wayBefore = soleRememberWay( work, leg );
-		leg->standBefore = ( state->flags & sole_statePlanned ) != 0 ? soleStandOnWay( leg, &wayBefore )
-		                                                             : soleStandOnPlane( work, leg->soleCenter, old );
+		bool flew = ( state->flags & sole_statePlanned ) != 0;
+		soleVec3 stood = leg->touches ? wayBefore.from : leg->soleCenter;
+		leg->standBefore = flew ? soleStandOnWay( leg, &wayBefore ) : soleStandOnPlane( work, stood, old );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
@@ -564,7 +415,8 @@ void soleChooseFootholds( solePlaceWork* work )
 			soleFollowGround( work, leg );
 		}
 		soleWay way = soleRememberWay( work, leg );
-		leg->stand = leg->planned ? soleStandOnWay( leg, &way ) : soleStandOnPlane( work, leg->soleCenter, leg->raw );
+		leg->stand = leg->planned ? soleStandOnWay( leg, &way )
+		                          : soleStandOnPlane( work, soleStandPlace( work, leg ), leg->raw );
 		state->flags &= ~(uint32_t)sole_stateGround;
 		state->flags |= leg->hasGround ? (uint32_t)sole_stateGround : 0u;
 		soleInertialise( work, leg, old, oldToe );

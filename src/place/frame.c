@@ -161,11 +161,11 @@ static void soleBlendWeights( solePlaceWork* work, soleLegWork* leg )
 	float whole = soleSaturate( frame->weight ) * soleReadWeight( frame->legWeight, leg->index );
 	float position = whole * soleReadWeight( frame->positionWeight, leg->index );
 	float rotation = whole * soleReadWeight( frame->rotationWeight, leg->index );
-	float before = leg->state->positionWeight;
+	leg->weightBefore = leg->state->positionWeight;
 	leg->state->positionWeight = soleBlend( work, leg->state->positionWeight, position );
 	leg->state->rotationWeight = soleBlend( work, leg->state->rotationWeight, rotation );
 	leg->weight = leg->state->positionWeight;
-	leg->blending = work->first == false && leg->weight != before;
+	leg->weightBefore = work->first ? leg->weight : leg->weightBefore;
 	leg->turnWeight = leg->state->rotationWeight;
 	work->weight = soleMaxF( work->weight, leg->weight );
 }
@@ -199,6 +199,7 @@ void soleSetUpFrame( solePlaceWork* work )
 	{
 		soleForget( work->state, work->legCount );
 	}
+	work->second = frame->secondPose != NULL ? work->state->second.value : 0.0f;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleLegWork* leg = work->legs + i;

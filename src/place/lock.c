@@ -70,6 +70,13 @@ static soleOffset3 soleArrive( soleOffset3 offset, soleVec3 goal, float time, fl
 	return ( soleOffset3 ){ soleAdd( goal, value ), velocity };
 }
 
+/// A host says that a foot is down a little before it has come to rest: so long it may go on with its animation.
+static bool soleIsComingDown( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	return ( state->flags & sole_stateBarred ) == 0 && state->time < 2.0f * work->settings->contact.settle;
+}
+
 /// The offset of a free foot some time later: on its way to where it is to land, or back to the animation.
 static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float time )
 {
@@ -79,7 +86,7 @@ static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float tim
 		soleVec3 goal = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), leg->landing ) );
 		state->slide = soleArrive( state->slide, goal, leg->stepInput.until + time, time );
 	}
-	else if ( leg->told && leg->touches && ( state->flags & sole_stateBarred ) == 0 )
+	else if ( leg->told && leg->touches && soleIsComingDown( work, leg ) )
 	{
 		// It is down, and comes to rest with the animation.
 		state->slide.velocity = soleVec( 0.0f, 0.0f, 0.0f );
@@ -206,13 +213,13 @@ static float soleFindStrain( const solePlaceWork* work, const soleLegWork* leg )
 	return soleMaxF( far, ( turn < 0.0f ? -turn : turn ) / soleMaxF( most, 1e-6f ) );
 }
 
-/// Has the foot been down for long enough to be held? A host says so a little before the foot has come to rest.
+/// Has the foot been down for long enough to be held?
 static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
 	float settle = work->settings->contact.settle;
 	float speed = ( state->flags & sole_stateToeOn ) != 0 ? leg->ballSpeed : leg->heelSpeed;
-	bool moving = leg->told && work->first == false && speed > AT_REST * leg->length && state->time < 2.0f * settle;
+	bool moving = leg->told && work->first == false && speed > AT_REST * leg->length && soleIsComingDown( work, leg );
 	return state->contactTime > settle && moving == false;
 }
 
@@ -220,7 +227,7 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->blending == false;
+	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->weight == leg->weightBefore;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );

@@ -84,7 +84,7 @@ static void soleWritePelvis( solePlaceWork* work )
 	// A capsule that has lost half of what the pelvis has gone down, at both ends, still stands on the ground.
 	out->capsuleShorter = 0.5f * soleMaxF( -work->pelvisShift, 0.0f );
 	out->capsuleOffset = -out->capsuleShorter;
-	out->secondWeight = work->frame->secondPose != NULL ? work->state->second.value : 0.0f;
+	out->secondWeight = work->second;
 	out->bodyGradient_w = work->bodyGradient;
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
 	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
@@ -167,11 +167,10 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 		return;
 	}
 	soleTakeState( rig, frame, state );
-	float second = state->second.value;
 	soleSettings clean = soleCleanSettings( settings );
 	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = state, .out = output };
 	soleSetUpFrame( &work );
-	solePassThrough( rig, frame, second, output );
+	solePassThrough( rig, frame, work.second, output );
 	soleRunStages( &work, hits, hitCount > 0 ? hitCount : 0 );
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{

@@ -66,11 +66,11 @@ typedef struct soleLegWork
 	soleLegState* state;
 	soleLegOutput* out;
 	int32_t index;
-	float weight;     // of its place: as far as the host's weights are blended in
-	float turnWeight; // of its turn
-	bool blending;    // they change
-	float length;     // of the bones now, world
-	bool usable;      // finite and of some length
+	float weight;       // of its place: as far as the host's weights are blended in
+	float turnWeight;   // of its turn
+	float weightBefore; // the first, a frame ago
+	float length;       // of the bones now, world
+	bool usable;        // finite and of some length
 	soleContactInput contactInput;
 	soleStepInput stepInput;
 
@@ -168,6 +168,7 @@ typedef struct solePlaceWork
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
 	float pelvisShift;     // along up
+	float second;          // weight of the second pose in this frame
 	float weight;          // of the whole: the largest of the legs'
 	soleVec3 balance;      // of the pelvis, horizontal
 	soleVec3 bodyGradient; // slope of the ground that the body is over

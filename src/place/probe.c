@@ -88,15 +88,24 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 		return;
 	}
 	soleHalf half = soleHalfFromQuarterTan( state->turn.value );
-	leg->soleCenter = soleAdd( leg->ball, state->slide.value );
+	soleVec3 ball = leg->ball;
+	soleVec3 normal = state->planeNormal_w;
+	bool landing = leg->foreseen == false && leg->contactInput.heel + leg->contactInput.toe > 0.0f;
 	if ( leg->foreseen )
 	{
-		// It leaves with its toes and comes down with its heel.
+		// It leaves with its toes and comes down with its heel, on another plane perhaps.
 		soleVec3 byHeel = soleMulAdd( leg->heel, leg->rig->heelBehind * work->rootScale, leg->forward );
 		float whole = leg->stepInput.since + leg->stepInput.until;
 		float share = whole > 0.0f ? leg->stepInput.since / whole : 1.0f;
-		leg->soleCenter = soleLerp( leg->soleCenter, soleAdd( byHeel, state->slide.value ), share );
+		bool planned = ( state->flags & sole_statePlanned ) != 0;
+		ball = soleLerp( ball, byHeel, share );
+		normal = planned ? soleLerp( normal, state->stepNormal_w, share ) : normal;
 	}
+	// Where a tilted foot stands; on the first frame no plane is known, and one that is just coming down is on its
+	// heel.
+	bool tilts = work->first == false && landing == false;
+	soleVec3 tilt = tilts ? soleTiltShift( work, leg, normal ) : soleVec( 0.0f, 0.0f, 0.0f );
+	leg->soleCenter = soleAdd( soleAdd( ball, tilt ), state->slide.value );
 	leg->soleForward = soleRotate( soleHalfRotation( work->up, half ), leg->forward );
 	leg->tip = soleMulAdd( leg->soleCenter, leg->rig->toeAhead * work->rootScale, leg->soleForward );
 }
@@ -138,10 +147,12 @@ static soleVec3 soleProbePoint(
 	return soleMulAdd( p, sideways * work->rootScale, side );
 }
 
-/// 1: the foot has just set out, 0: its foothold is chosen for the last time.
+/// 1: the foot has just set out, 0: its foothold is chosen for the last time. By the number of the choice, not by the
+/// time at which a frame happens to make it: the same places are asked at every frame rate.
 static float soleIsFar( const soleLegWork* leg )
 {
-	return soleSaturate( ( leg->stepInput.until - CHOICE_TIME ) / STRIP_TIME );
+	float number = (float)(int32_t)soleMinF( leg->stepInput.until / CHOICE_TIME, 100.0f );
+	return soleSaturate( number * CHOICE_TIME / STRIP_TIME );
 }
 
 /// Probe k of count along the strip: evenly over all of it while the foot is far; when it is near, over the sole, most

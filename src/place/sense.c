@@ -19,7 +19,7 @@ static void soleEvaluateSlots( solePlaceWork* work )
 		work->frame->root.scale };
 	for ( int32_t i = 0; i < rig->slotCount; ++i )
 	{
-		soleTransform local = soleReadPose( work->frame, work->state->second.value, rig->slotJoints[i] );
+		soleTransform local = soleReadPose( work->frame, work->second, rig->slotJoints[i] );
 		local.rotation = soleNormalizeQuat( local.rotation );
 		int32_t parent = rig->slotParents[i];
 		work->slots[i] = soleMulTransform( parent == SOLE_NONE ? root : work->slots[parent], local );

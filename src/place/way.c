@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Way: from the plane on which the foot stood to the one on which it will, the height of the ground under it goes
+// along the chord between both places, by the share s of the way that it has come (by the share of the time where both
+// are close together), lifted over what lies between by a smoothed upper hull; the slope goes over smoothly with time.
+// On an even slope that is the slope itself.
+#include "place/way.h"
+
+#define BY_TIME 0.25f  // L: a step shorter than this goes by time
+#define NEAR_END 0.06f // share of the way near its ends in which nothing can be cleared any more
+#define MOST_MORE 1.6f // by this much the smoothed hull may be raised
+
+soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal )
+{
+	float up = soleMaxF( soleDot( normal, work->up ), 0.05f );
+	return soleScale( -1.0f / up, soleHorizontal( work, normal ) );
+}
+
+soleWay soleRememberWay( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	return ( soleWay ){
+		soleSub( state->planePoint_w, work->root_w ),
+		soleSub( state->stepPlace_w, work->root_w ),
+		soleGradientOf( work, state->planeNormal_w ),
+		soleGradientOf( work, state->stepNormal_w ),
+		state->stepLift,
+	};
+}
+
+float soleShareOfTime( const soleLegWork* leg )
+{
+	float whole = leg->stepInput.since + leg->stepInput.until;
+	// A foot that has come down has gone the whole way.
+	return leg->foreseen == false ? 1.0f : ( whole > 0.0f ? leg->stepInput.since / whole : 1.0f );
+}
+
+static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place )
+{
+	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
+	float length2 = soleDot( d, d );
+	float least = BY_TIME * leg->length;
+	float byTime = soleShareOfTime( leg );
+	float byWay =
+	    soleSaturate( soleDot( soleSub( place, way->from ), d ) / soleMaxF( length2, 1e-4f * least * least ) );
+	return byTime + soleSaturate( soleSqrtF( length2 ) / least ) * ( byWay - byTime );
+}
+
+/// A quadratic B-spline over the share of the way, 0 at both ends, its control points at 0, 1/4, 1/2, 3/4 and 1.
+static float soleLiftAt( const float lift[3], float s )
+{
+	const float controls[7] = { -lift[0], 0.0f, lift[0], lift[1], lift[2], 0.0f, -lift[2] };
+	float x = soleClampF( 4.0f * s + 0.5f, 0.0f, 4.999f );
+	int32_t i = (int32_t)x;
+	float t = x - (float)i;
+	float a = 0.5f * ( 1.0f - t ) * ( 1.0f - t );
+	float c = 0.5f * t * t;
+	return a * controls[i] + ( 1.0f - a - c ) * controls[i + 1] + c * controls[i + 2];
+}
+
+/// The plane at a place on the way.
+solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place )
+{
+	float s = soleShareOfWay( work, leg, way, place );
+	float t = soleShareOfTime( leg );
+	float smooth = t * t * ( 3.0f - 2.0f * t );
+	soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, smooth );
+	soleVec3 chord = soleLerp( way->from, way->to, s );
+	float height = soleDot( chord, work->up ) + soleLiftAt( way->lift, s );
+	height += soleDot( gradient, soleSub( place, chord ) );
+	return soleMakePlane( work, soleAtHeight( work, place, height ), gradient );
+}
+
+/// What a foot on its way must not be lower than: a lift over the chord at a share of the way.
+typedef struct soleClearance
+{
+	float share;
+	float lift;
+} soleClearance;
+
+#define MAX_CLEARANCES ( 3 * SOLE_MAX_PROBES_PER_LEG + 2 )
+
+/// How far the way has to be lifted so that neither heel, ball nor toes meet what lies between its ends.
+static int32_t soleFindClearances(
+    const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleClearance* list )
+{
+	int32_t count = 0;
+	list[count++] = ( soleClearance ){ 0.0f, 0.0f };
+	list[count++] = ( soleClearance ){ 1.0f, 0.0f };
+	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
+	float length = soleLength( d );
+	if ( length < BY_TIME * leg->length )
+	{
+		return count;
+	}
+	const float spans[3] = { leg->rig->heelBehind * work->rootScale / length, 0.0f,
+		-leg->rig->toeAhead * work->rootScale / length };
+	for ( int32_t i = 0; i < leg->sampleCount; ++i )
+	{
+		const soleGroundSample* sample = leg->samples + i;
+		float at = soleDot( soleSub( sample->place, way->from ), d ) / ( length * length );
+		for ( int32_t k = 0; k < 3 && sample->found; ++k )
+		{
+			float s = at + spans[k];
+			// A foot that flies in parallel to the slope under it.
+			soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
+			float height = soleDot( soleLerp( way->from, way->to, s ), work->up ) - spans[k] * soleDot( gradient, d );
+			if ( s > NEAR_END && s < 1.0f - NEAR_END && sample->height > height )
+			{
+				list[count++] = ( soleClearance ){ s, sample->height - height };
+			}
+		}
+	}
+	return count;
+}
+
+/// Height of the upper hull of all clearances at a share.
+static float soleHullAt( const soleClearance* list, int32_t count, float s )
+{
+	float highest = 0.0f;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		for ( int32_t k = 0; k < count; ++k )
+		{
+			if ( list[i].share <= s && list[k].share > s )
+			{
+				float t = ( s - list[i].share ) / ( list[k].share - list[i].share );
+				highest = soleMaxF( highest, list[i].lift + t * ( list[k].lift - list[i].lift ) );
+			}
+		}
+	}
+	return highest;
+}
+
+/// The least lift that clears all: the hull, smoothed, and as much higher as smoothing has lowered it somewhere.
+void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] )
+{
+	soleClearance list[MAX_CLEARANCES];
+	int32_t count = soleFindClearances( work, leg, way, list );
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		lift[i] = soleHullAt( list, count, 0.25f * (float)( i + 1 ) );
+	}
+	float more = 1.0f;
+	for ( int32_t i = 2; i < count; ++i )
+	{
+		float has = soleLiftAt( lift, list[i].share );
+		more = has > 0.0f ? soleMaxF( more, list[i].lift / has ) : more;
+	}
+	more = soleMinF( more, MOST_MORE );
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		lift[i] = soleMinF( more * lift[i], work->settings->probe.stepUp * leg->length );
+	}
+}

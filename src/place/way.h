@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The way of a foot in flight from one foothold to the next, and the plane that it follows there. A kernel of the stage
+// that chooses footholds.
+#ifndef SOLE_PLACE_WAY_H
+#define SOLE_PLACE_WAY_H
+
+#include "place/place.h"
+
+/// From where to where, and how far along.
+typedef struct soleWay
+{
+	soleVec3 from;
+	soleVec3 to;
+	soleVec3 fromGradient;
+	soleVec3 toGradient;
+	const float* lift;
+} soleWay;
+
+/// Rise per length of a plane, horizontal.
+soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal );
+/// The way as the state has it.
+soleWay soleRememberWay( const solePlaceWork* work, const soleLegWork* leg );
+/// Share of the flight's time that is over; 1 where it is not foreseen.
+float soleShareOfTime( const soleLegWork* leg );
+/// The plane at a place on the way.
+solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place );
+/// The least lift that clears what the samples say lies between.
+void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] );
+
+#endif
