@@ -92,7 +92,8 @@ static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg, 
 	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
 	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
 	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
-	float share = leg->turnWeight * leg->state->plantWeight;
+	// The ground pushes toes up as soon as they meet it; down they go with the contact.
+	float share = leg->turnWeight * ( bend.s > 0.0f ? 1.0f : leg->state->plantWeight );
 	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
 	return soleNlerp( carried, bent, share );
 }

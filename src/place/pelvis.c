@@ -20,6 +20,7 @@
 #define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
 #define AGAIN 0.011f       // L: a step that needs so little less needs the same again
 #define SAME 1e-5f         // L
+#define CARRIED 0.8f       // share of the most that the ground may use up: on steep stairs some is left to catch up with
 #define STANDING_TIME 0.3f // s
 #define LN_2 0.6931472f
 #define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
@@ -193,7 +194,7 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 	const soleSettings* s = work->settings;
 	float legLength = soleLongestLeg( work );
 	float bound = soleClampF( soleBind( bounds, spring.value ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
-	float carried = soleClampF( soleGroundStep( work ), -most, most );
+	float carried = soleClampF( soleGroundStep( work ), -CARRIED * most, CARRIED * most );
 	float step = soleClampF( bound - start, -most - carried, most - carried );
 	state->pelvis.value = start + step;
 	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;

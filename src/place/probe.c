@@ -16,6 +16,7 @@
 #define MEANT_ELSEWHERE 0.02f // L
 #define STRIP_TIME 0.24f      // s in which the strip becomes short, until the last choice
 #define CLIMB 0.7f            // rise per length: as much further up and down is asked for places ahead of the root
+#define KNOWN 0.15f           // L around the ground that a foot stands on
 #define STRIP_END 0.05f       // L: at last a third of it is as long as this about each end of the sole
 
 /// How many probes of each kind.
@@ -248,6 +249,14 @@ static float soleFindRise( const solePlaceWork* work, const soleLegWork* leg, so
 	return foreseen ? -soleDot( soleHorizontal( work, normal ), point ) / up : 0.0f;
 }
 
+/// How far over the reference height a foot stands, or has come down: a step of two treads may be further than
+/// stepUp from a root that has not followed yet, and is asked for nevertheless.
+static float soleFindKnownHeight( const solePlaceWork* work, const soleLegWork* leg )
+{
+	bool stands = work->first == false && leg->foreseen == false && leg->flying == false;
+	return stands ? soleDot( soleSub( leg->state->planePoint_w, work->root_w ), work->up ) - work->reference : 0.0f;
+}
+
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
 	const soleSettings* settings = work->settings;
@@ -270,8 +279,9 @@ int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t c
 				float away = soleLength( soleHorizontal( work, point ) );
 				float rise = soleFindRise( work, leg, point );
 				float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
-				float up = settings->probe.stepUp * leg->length + further;
-				float down = settings->probe.stepDown * leg->length + further;
+				float known = soleFindKnownHeight( work, leg );
+				float up = soleMaxF( settings->probe.stepUp * leg->length, known + KNOWN * leg->length ) + further;
+				float down = soleMaxF( settings->probe.stepDown * leg->length, KNOWN * leg->length - known ) + further;
 				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + rise + up ), work->root_w );
 				probe->length = up + down;
 				probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
