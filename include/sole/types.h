@@ -193,7 +193,7 @@ typedef struct soleSettings
 	{
 		float shift;  // furthest that a step is shifted along the foot to stand better. L [0, 0.5] default 0.2
 		float share;  // a sole that bears with this share of its length stands well. [0, 1] default 0.9
-		float freeze; // the place of a step is settled this long before the foot comes down. s [0, 1] default 0.07
+		float freeze; // the place of a step is settled this long before the foot comes down. s [0, 1] default 0.1
 	} foothold;
 
 	struct

@@ -69,6 +69,9 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
 	leg->choosing = leg->foreseen && ( ( state->flags & sole_statePlanned ) == 0 || soleIsTimeToChoose( work, leg ) );
+	float freeze = work->settings->foothold.freeze;
+	leg->reading = leg->foreseen && ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < freeze &&
+	    leg->stepInput.until + work->timeStep >= freeze;
 	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
 	    leg->ballSpeed > FLYING * leg->length;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
@@ -126,6 +129,8 @@ static const soleProbePlace soleQualityPlaces[] = { { -1.0f, -0.6f }, { -1.0f, 0
 	{ -0.8f, 0.7f }, { -0.6f, -0.7f }, { -0.6f, 0.7f }, { -0.4f, -0.75f }, { -0.4f, 0.75f }, { -0.2f, -0.8f },
 	{ -0.2f, 0.8f }, { 0.0f, -0.85f }, { 0.0f, 0.85f }, { 0.35f, -0.8f }, { 0.35f, 0.8f }, { 0.7f, -0.7f },
 	{ 0.7f, 0.7f }, { 1.0f, -0.5f }, { 1.0f, 0.5f } };
+
+#define QUALITY ( (int32_t)( sizeof soleQualityPlaces / sizeof soleQualityPlaces[0] ) )
 
 static const soleProbePlace* soleChoosePlaces( soleProbeLayout layout )
 {
@@ -218,6 +223,12 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	if ( leg->usable == false )
 	{
 		return false;
+	}
+	if ( leg->reading )
+	{
+		soleProbePlace place = soleQualityPlaces[soleMinI( k, QUALITY - 1 )];
+		*point = soleProbePoint( work, leg, soleLevelPlace( work, leg ), leg->landingForward, place );
+		return k < QUALITY;
 	}
 	if ( leg->foreseen )
 	{
