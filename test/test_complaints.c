@@ -19,7 +19,7 @@ static const struct
 	{ 8, "T11-45 up and down: er 119.7, and 3 more" },
 	{ 9, "T24 turn at the edge: G4 28.21, deg 5.776, ov 0.45, and 2 more" },
 	{ 12, "T30 stand: G1 7.377, and 1 more" },
-	{ 13, "under the floor: 8.805 mm" },
+	{ 13, "3 cm down: 8.805 mm under the floor" },
 	{ 17, "T02 T47 root at 10 Hz: G1 14.44, G4 45.03, deg 26.95, and 3 more" },
 	{ 18, "T02 T33 jump unlabelled: G4 39.54, deg 12.42, and 1 more" },
 	{ 22, "T01 T42 bend: G4 53.94, deg 24.55, and 7 more" },
@@ -155,8 +155,7 @@ static void complaint07KneesDoNotPopStraight( void** state )
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 7 );
 	testProveAll( &proof, "T01", "T41", test_gKnee );
-	testProveAll( &proof, "T01", "T42", test_gKnee );
-	testProveAll( &proof, "T11-20", "T42", test_gKnee );
+	testProveAll( &proof, "T", "T42", test_gKnee );
 	testJudge( &proof );
 }
 
@@ -197,10 +196,11 @@ static void complaint12FeetRideEachOnItsOwn( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 12 );
-	testProveAll( &proof, "T27", "", test_g1 );
-	testProveAll( &proof, "T28", "", test_g1 );
-	testProveAll( &proof, "T29", "", test_g1 );
-	testProveAll( &proof, "T30", "", test_g1 );
+	static const char* const scenes[] = { "T27", "T28", "T29", "T30" };
+	for ( int i = 0; i < 4; ++i )
+	{
+		testProveAll( &proof, scenes[i], "", test_g1 );
+	}
 	testJudge( &proof );
 }
 
@@ -219,6 +219,7 @@ static void complaint13WrongAnklesDoNotSinkTheMesh( void** state )
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 13 );
 	static void ( *const changes[] )( toolModel* ) = { NULL, testRaiseAnkles, testLowerAnkles };
+	static const char* const names[] = { "as made", "3 cm up", "3 cm down" };
 	static const char* const acts[] = { "idle", "walk" };
 	for ( int i = 0; i < 6; ++i )
 	{
@@ -229,8 +230,8 @@ static void complaint13WrongAnklesDoNotSinkTheMesh( void** state )
 		double depth = 0.0;
 		double gap = 0.0;
 		testMeasureMesh( &run, &depth, &gap );
-		testProveFigure( &proof, "under the floor", 1e3 * depth, 5.0, "mm" );
-		testProveFigure( &proof, "planted over the floor", 1e3 * gap, 5.0, "mm" );
+		testProveFigure( &proof, names[i / 2], 1e3 * depth, 5.0, "mm under the floor" );
+		testProveFigure( &proof, names[i / 2], 1e3 * gap, 5.0, "mm over it while planted" );
 		testFreeRun( &run );
 		testCloseActor( &s_changed );
 	}
@@ -285,8 +286,7 @@ static void complaint17RemotePlayersWalkAsWell( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 17 );
-	testProveAll( &proof, "T02", "T47", test_g1 | test_g4 );
-	testProveAll( &proof, "T16", "T47", test_g1 | test_g4 );
+	testProveAll( &proof, "T", "T47", test_g1 | test_g4 );
 	testJudge( &proof );
 }
 
@@ -294,9 +294,8 @@ static void complaint18SwitchedOffAndOnWithoutAPop( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 18 );
-	testProveAll( &proof, "T11-20", "T33", test_g4 );
-	testProveAll( &proof, "T02", "T33", test_g4 );
-	testProveAll( &proof, "T11-20", "T35", test_g4 );
+	testProveAll( &proof, "T", "T33", test_g4 );
+	testProveAll( &proof, "T", "T35", test_g4 );
 	testJudge( &proof );
 }
 
@@ -330,8 +329,7 @@ static void complaint22SwingFeetDoNotJumpAtSteps( void** state )
 	testProof proof = testBeginProof( &s_actor, 22 );
 	testProveAll( &proof, "T02", "", test_g4 );
 	testProveAll( &proof, "T09", "", test_g4 );
-	testProveAll( &proof, "T11-20", "T42", test_g4 );
-	testProveAll( &proof, "T01", "T42", test_g4 );
+	testProveAll( &proof, "T", "T42", test_g4 );
 	testJudge( &proof );
 }
 
@@ -418,10 +416,8 @@ static void complaint31EveryFrameRateIsTheSame( void** state )
 		snprintf( name, sizeof name, "T44 %s at %s Hz", scenes[i / 4], rates[i % 4] );
 		testProveCheck( &proof, name );
 	}
-	testProveAll( &proof, "T02", "T44", test_g4 );
-	testProveAll( &proof, "T16", "T44", test_g4 );
-	testProveAll( &proof, "T02", "T46", test_g4 | test_gPlants );
-	testProveAll( &proof, "T16", "T46", test_g4 | test_gPlants );
+	testProveAll( &proof, "T", "T44", test_g4 );
+	testProveAll( &proof, "T", "T46", test_g4 | test_gPlants );
 	testJudge( &proof );
 }
 
