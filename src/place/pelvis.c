@@ -20,7 +20,7 @@
 #define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
 #define AGAIN 0.011f       // L: a step that needs so little less needs the same again
 #define SAME 1e-5f         // L
-#define CARRIED 0.8f       // share of the most that the ground may use up: on steep stairs some is left to catch up with
+#define CARRIED 0.8f // share of the most that the ground may use up: on steep stairs some is left to catch up with
 #define STANDING_TIME 0.3f // s
 #define LN_2 0.6931472f
 #define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time

@@ -85,6 +85,7 @@ typedef struct soleLegWork
 	soleVec3 forward;                    // horizontal heading of the foot, unit
 	float heelRise, ballRise;            // over the clip's floor
 	float sunk;                          // how far the clip itself has the sole under its floor
+	float toeSunk;                       // and its toes alone, as a slope from the ball
 	float heelSpeed, ballSpeed;          // over the ground, with the root's motion
 	soleVec3 ballVelocity, heelVelocity; // horizontal
 

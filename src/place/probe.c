@@ -200,7 +200,10 @@ static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork
 	{
 		// As long as it is far off, what the animation means counts; then what was chosen.
 		float far = soleIsFar( leg );
-		soleVec3 center = soleLerp( chosen, leg->landing, far );
+		// As far beside what was chosen as the animation means another place since then.
+		soleVec3 meant = soleSub( leg->state->stepLanding_w, work->root_w );
+		soleVec3 near = planned ? soleAdd( chosen, soleHorizontal( work, soleSub( leg->landing, meant ) ) ) : chosen;
+		soleVec3 center = soleLerp( near, leg->landing, far );
 		*point = soleStripPoint( work, leg, center, k, counts.strip );
 		return true;
 	}
