@@ -138,7 +138,7 @@ static void aLineCountsTheMiddleOnly( void** state )
 	testStartSole( &s, false );
 	testAddLine( &s, 0.0f, 0.0f, 0.0f );
 	testAddSample( &s, 0.0f, 0.036f, 0.02f );
-	soleRest line = soleRestSole( &s.work, &s.leg, s.center, s.forward, true );
+	soleRest line = soleRestSole( &s.work, &s.leg, soleMakeFootprint( &s.work, s.center, s.forward, s.work.up ), true );
 	testNearPlane( &s, &line, 0.0f, 0.0f, 0.0f );
 	soleRest r = testRest( &s );
 	assert_true( testRestHeight( &s, &r, 0.0f, 0.036f ) > 0.0199f );

@@ -39,7 +39,7 @@
 static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, soleVec3 place )
 {
 	float metre = 0.9f / leg->length;
-	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, true );
+	soleRest rest = soleRestSole( work, leg, soleMakeFootprint( work, place, leg->landingForward, work->up ), true );
 	float distance = soleLength( soleHorizontal( work, soleSub( place, leg->landing ) ) );
 	float wanted = work->settings->foothold.share;
 	float cost = 2.0f * metre * distance + soleMaxF( wanted - rest.share, 0.0f );
@@ -136,7 +136,7 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 		return true;
 	}
 	soleVec3 place = soleChoosePlace( work, leg );
-	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
+	soleRest rest = soleRestSole( work, leg, soleMakeFootprint( work, place, leg->landingForward, work->up ), false );
 	if ( rest.found == false )
 	{
 		return false;
@@ -151,7 +151,7 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 static void soleReadStep( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleVec3 place = soleLevelPlace( work, leg );
-	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
+	soleRest rest = soleRestSole( work, leg, soleChosenFootprint( work, leg ), false );
 	if ( rest.found )
 	{
 		solePlane chosen = soleGetChosen( work, leg->state );

@@ -48,19 +48,17 @@ typedef struct soleFit
 
 // ------------------------------------------------------------------------------------------------------- footprint
 
-static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward,
-    bool line, float loadAhead, soleRestPoints* found )
+static void soleFindPoints(
+    const soleLegWork* leg, soleFootprint print, bool line, float loadAhead, soleRestPoints* found )
 {
 	const soleRigLeg* rig = leg->rig;
-	float scale = work->rootScale;
 	float margin = MARGIN * leg->length;
-	float heel = -rig->heelBehind * scale;
-	float toe = rig->toeAhead * scale;
-	float inner = rig->innerSide * scale;
-	float outer = rig->outerSide * scale;
+	float heel = -rig->heelBehind * print.along;
+	float toe = rig->toeAhead * print.along;
+	float inner = rig->innerSide * print.across;
+	float outer = rig->outerSide * print.across;
 	float right = soleMaxF( inner, outer );
 	float left = soleMinF( inner, outer );
-	soleVec3 side = soleCross( forward, work->up );
 	found->count = 0;
 	found->asked = 0;
 	found->askedAhead = 0;
@@ -69,9 +67,9 @@ static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, s
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
-		soleVec3 from = soleSub( sample->place, center );
-		float u = soleDot( from, forward );
-		float v = soleDot( from, side );
+		soleVec3 from = soleSub( sample->place, print.ball );
+		float u = soleDot( from, print.forward );
+		float v = soleDot( from, print.side );
 		bool near = u > heel - margin && u < toe + margin && v > left - margin && v < right + margin;
 		bool middle = v > 0.25f * left && v < 0.25f * right;
 		if ( near == false || ( line && middle == false ) )
@@ -360,19 +358,18 @@ static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, c
 	return fit;
 }
 
-soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward, bool line )
+soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleFootprint print, bool line )
 {
 	const soleRigLeg* rig = leg->rig;
-	float scale = work->rootScale;
-	float footLength = soleMaxF( ( rig->heelBehind + rig->toeAhead ) * scale, 1e-3f * leg->length );
+	soleVec3 forward = print.forward, side = print.side;
+	float footLength = soleMaxF( ( rig->heelBehind + rig->toeAhead ) * print.along, 1e-3f * leg->length );
 	float loadAhead =
-	    scale * ( work->settings->support.loadPoint * ( rig->heelBehind + rig->toeAhead ) - rig->heelBehind );
-	soleVec3 load = soleMulAdd( center, loadAhead, forward );
-	soleVec3 side = soleCross( forward, work->up );
+	    print.along * ( work->settings->support.loadPoint * ( rig->heelBehind + rig->toeAhead ) - rig->heelBehind );
+	soleVec3 load = soleMulAdd( print.ball, loadAhead, forward );
 	soleVec3 level = soleVec( 0.0f, 0.0f, 0.0f );
 	soleRest rest = { .surface = SOLE_NONE };
 	soleRestPoints all, high;
-	soleFindPoints( work, leg, center, forward, line, loadAhead, &all );
+	soleFindPoints( leg, print, line, loadAhead, &all );
 	rest.found = all.count > 0;
 	if ( rest.found == false )
 	{
@@ -388,7 +385,7 @@ soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleVe
 	soleFit fit = soleFitSole( work, leg, &high, footLength, forward, side, &rest.steep );
 	if ( rig->toeSlot != SOLE_NONE )
 	{
-		rest.toeSlope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * scale );
+		rest.toeSlope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );
 	}
 	soleJudge( work, leg, &all, &fit, -loadAhead, &rest );
 	soleVec3 gradient = soleMulAdd( soleScale( fit.gu, forward ), fit.gv, side );
