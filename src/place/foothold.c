@@ -291,21 +291,22 @@ static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
 }
 
 /// A foot that has just come down: on what was foreseen until it is held. Then its ground is asked for closely, and
-/// that is what it stands on; but where a toe that just meets a riser, or a heel, would have it stand on the step over
-/// it, it stays on what was foreseen.
+/// that is what it stands on, as when the ground has changed under it; but where a toe that just meets a riser, or a
+/// heel, would have it stand on the step over it, it stays on what was foreseen, or on what it stood.
 static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 {
 	solePlane chosen = soleGetChosen( work, leg->state );
 	float over = soleHeightOver( work, leg->raw, chosen );
 	float missed = soleLength( soleHorizontal( work, soleSub( leg->soleCenter, chosen.point ) ) );
 	bool locked = ( leg->state->flags & sole_stateLocked ) != 0;
-	bool there = foreseen && missed < NEAR_BY * leg->length;
-	if ( there && locked == false )
+	bool there = missed < NEAR_BY * leg->length;
+	bool stood = ( leg->state->flags & sole_stateCompared ) != 0;
+	if ( foreseen && there && locked == false )
 	{
 		leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
 		leg->toeSlope = leg->state->toeSlope;
 	}
-	else if ( there && soleIsNextStep( work, leg, over, leg->share ) )
+	else if ( ( foreseen || stood ) && there && soleIsNextStep( work, leg, over, leg->share ) )
 	{
 		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
 		leg->raw = soleMakePlane( work, point, chosen.gradient );
