@@ -126,8 +126,10 @@ static void placesBesideTheSoleSayNothing( void** state )
 	soleRest r = testRest( &s );
 	testNearPlane( &s, &r, 0.0f, 0.0f, 0.0f );
 	testAddSample( &s, REST_TOE + 0.005f, 0.0f, 0.3f );
+	// A step just before the toes is not stood on, but in the way.
 	r = testRest( &s );
-	assert_float_equal( testRestHeight( &s, &r, REST_LOAD, 0.0f ), 0.3f, 1e-5f );
+	assert_float_equal( testRestHeight( &s, &r, REST_LOAD, 0.0f ), 0.0f, 1e-5f );
+	assert_float_equal( r.sunk, 0.3f, 1e-5f );
 	testEndSole( &s );
 }
 

@@ -124,13 +124,17 @@ static void soleJoinLevels( soleRestPoints* read, float gap )
 	}
 }
 
-/// Keeps the points of the level that has the highest one; the others are dropped. @return how many were dropped
+/// Keeps the points of the level that has the highest one under the sole; the others are dropped: what hangs, and what
+/// stands beside it. @return how many were dropped
 static int32_t soleKeepHighestLevel( soleRestPoints* read )
 {
 	int32_t highest = 0;
 	for ( int32_t i = 1; i < read->count; ++i )
 	{
-		highest = read->points[i].h > read->points[highest].h ? i : highest;
+		const soleRestPoint* p = read->points + i;
+		const soleRestPoint* best = read->points + highest;
+		bool higher = p->under == best->under ? p->h > best->h : p->under;
+		highest = higher ? i : highest;
 	}
 	int32_t level = read->points[highest].level;
 	int32_t kept = 0;
