@@ -255,8 +255,8 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 		return leg->choosing && soleChooseLandingPoint( work, leg, k, point );
 	}
 	soleProbeLayout layout = work->settings->probe.layout;
-	// A foot that has just been planted reads its ground closely, once.
-	bool closely = ( leg->state->flags & ( sole_stateLocked | sole_stateChosen ) ) == sole_stateLocked;
+	// A foot that has just been planted reads its ground closely, once; as do all in the first frame.
+	bool closely = work->first || ( leg->state->flags & ( sole_stateLocked | sole_stateChosen ) ) == sole_stateLocked;
 	layout = closely && layout == sole_probeEconomy ? sole_probeQuality : layout;
 	soleProbeCounts counts = soleGetProbeCounts( layout );
 	if ( k < counts.sole )

@@ -19,6 +19,7 @@
 
 #define MARGIN 0.012f      // L, around the sole
 #define BEARS_UNDER 0.011f // L: a place this far under the sole bears it: 1 cm of a leg of 0.9 m
+#define TOES_UP 0.65f      // rise per length: 33 degrees, toes that flip up further on a stone look broken
 #define MAX_POINTS SOLE_MAX_PROBES_PER_LEG
 
 /// A sample in the foot's own frame, around the load point: u ahead, v to the side, h up.
@@ -307,7 +308,7 @@ static float soleClampToeSlope( const solePlaceWork* work, float slope )
 	soleHalf down = soleHalfFromAngle( work->settings->ankle.toeDown );
 	float most = 2.0f * up.s * up.c / soleMaxF( up.c * up.c - up.s * up.s, 0.05f );
 	float least = -2.0f * down.s * down.c / soleMaxF( down.c * down.c - down.s * down.s, 0.05f );
-	return soleClampF( slope, least, most );
+	return soleClampF( slope, least, soleMinF( most, TOES_UP ) );
 }
 
 static float soleShareOf( int32_t part, int32_t whole )
@@ -316,10 +317,10 @@ static float soleShareOf( int32_t part, int32_t whole )
 }
 
 /// Which share of the places under the sole bears it, before and behind its ball, and how deep it is inside the ground.
-static void soleJudge( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit,
-    float ballU, soleRest* rest )
+static void soleJudge(
+    const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit, float ballU, soleRest* rest )
 {
-	float toes = leg->rig->toeSlot != SOLE_NONE ? soleClampToeSlope( work, rest->toeSlope ) : 0.0f;
+	float toes = rest->toeSlope;
 	int32_t fore = 0;
 	int32_t rear = 0;
 	for ( int32_t i = 0; i < all->count; ++i )
@@ -389,9 +390,10 @@ soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleFo
 	soleFit fit = soleFitSole( work, leg, &high, footLength, forward, side, &rest.steep );
 	if ( rig->toeSlot != SOLE_NONE )
 	{
-		rest.toeSlope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );
+		float slope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );
+		rest.toeSlope = soleClampToeSlope( work, slope );
 	}
-	soleJudge( work, leg, &all, &fit, -loadAhead, &rest );
+	soleJudge( leg, &all, &fit, -loadAhead, &rest );
 	soleVec3 gradient = soleMulAdd( soleScale( fit.gu, forward ), fit.gv, side );
 	rest.plane = soleMakePlane( work, soleAtHeight( work, load, fit.c ), gradient );
 	const soleRestPoint* highest = high.points;
