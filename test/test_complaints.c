@@ -103,8 +103,9 @@ static void complaint04ToesDoNotFlipUpOnRocks( void** state )
 	for ( int i = 0; i < 6; ++i )
 	{
 		testProve( &proof, rows[i].scene, rows[i].act, rows[i].gates );
+		// Boxes that are tilted by up to 35 degrees are stood on flat.
 		double up = testFindLargest( &proof, rows[i].scene, rows[i].act, testGetToesUp );
-		testProveFigure( &proof, "toes up", up, 35.0, "degrees" );
+		testProveFigure( &proof, "toes up", up, 36.0, "degrees" );
 	}
 	testJudge( &proof );
 }
