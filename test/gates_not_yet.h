@@ -144,7 +144,6 @@ static const testNotYet s_notYet[] = {
 	{ "T44 stairs at 165 Hz", test_gCheck, "18.66 mm" },
 	{ "T44 stairs at 240 Hz", test_gCheck, "38.07 mm" },
 	{ "T44 noise at 30 Hz", test_gCheck, "13.35 mm" },
-	{ "T44 noise at 144 Hz", test_gCheck, "2.426 mm" },
 	{ "T44 noise at 165 Hz", test_gCheck, "7.29 mm" },
 	{ "T44 noise at 240 Hz", test_gCheck, "13.85 mm" },
 	{ "T44 turning at 30 Hz", test_gCheck, "86.67 mm" },
