@@ -193,7 +193,7 @@ typedef struct soleSettings
 	{
 		float shift;  // furthest that a step is shifted along the foot to stand better. L [0, 0.5] default 0.2
 		float share;  // a sole that bears with this share of its length stands well. [0, 1] default 0.9
-		float freeze; // the place of a step is settled this long before the foot comes down. s [0, 1] default 0.1
+		float freeze; // the place of a step is settled this long before the foot comes down. s [0, 1] default 0.085
 	} foothold;
 
 	struct
@@ -440,6 +440,7 @@ typedef struct soleLegState
 	float missTime;       // for how long nothing was met under it while it stands, s
 	float shortfall;      // how far the foot was from where it was wanted, of the leg's length
 	float restep;         // what is left of a step by which it follows, s
+	float restepTime;     // how long that takes, s
 	soleVec3 learntPlace; // where it came down the last time, as seen from the root, character space
 	float learntFlight;   // how long it was in the air, s
 	float learntSpeed;    // how fast the root was

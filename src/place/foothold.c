@@ -25,7 +25,8 @@
 #define GENTLE 0.5f      // rise per length
 #define MUCH 0.02f       // of cost, by which a place has to be better that is
 #define FAR_OFF 0.05f    // L away from the last choice, or further
-#define MISS_TIME 0.1f   // s
+#define MISS_TIME 0.1f   // s without an answer
+#define GONE_TIME 0.035f // s of answers that there is nothing
 #define NEAR_BY 0.06f    // L: a foot this near to its foothold has come down on it
 #define UNSHIFTED 0.002f // L
 #define STEP 0.022f      // L: ground this much higher than was foreseen is another step
@@ -366,13 +367,14 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 	leg->toeSlope = state->toeSlope;
 }
 
-/// Answers that fail for a moment, while a foot stands, mean nothing: the ground is taken to be where it was.
+/// Answers that fail or stay away for a moment, while a foot stands, mean nothing: the ground is taken to be where it
+/// was.
 static void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
 	soleLegState* state = leg->state;
 	bool missed = leg->hasGround == false && leg->foreseen == false && leg->hadGround && leg->touches;
 	state->missTime = missed ? state->missTime + work->timeStep : 0.0f;
-	if ( missed && state->missTime < MISS_TIME )
+	if ( missed && state->missTime < ( leg->sampleCount > 0 ? GONE_TIME : MISS_TIME ) )
 	{
 		leg->hasGround = true;
 		leg->missed = true;

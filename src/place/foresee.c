@@ -47,7 +47,7 @@ static bool soleForeseeRestep( solePlaceWork* work, soleLegWork* leg )
 		return false;
 	}
 	leg->contactInput = ( soleContactInput ){ 0.0f, 0.0f };
-	leg->stepInput.since = soleMaxF( work->settings->contact.replantTime - left, 0.0f );
+	leg->stepInput.since = soleMaxF( leg->state->restepTime - left, 0.0f );
 	leg->stepInput.until = left;
 	leg->travel = soleVec( 0.0f, 0.0f, 0.0f );
 	leg->landing = soleFlatBall( work, leg );

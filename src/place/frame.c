@@ -86,7 +86,7 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
 		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) &&
 		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
-		    soleIsFinite( leg->ballSpeed + leg->time + leg->restep + leg->strayTime ) &&
+		    soleIsFinite( leg->ballSpeed + leg->time + leg->restep + leg->restepTime + leg->strayTime ) &&
 		    soleVec3_IsFinite( leg->heldShift ) && soleVec3_IsFinite( leg->learntPlace ) &&
 		    soleIsFinite( leg->learntFlight + leg->learntSpeed + leg->shortfall + leg->missTime ) &&
 		    soleIsFinite( leg->positionWeight + leg->rotationWeight );

@@ -20,6 +20,7 @@
 #define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
 #define AGAIN 0.011f       // L: a step that needs so little less needs the same again
 #define SAME 1e-5f         // L
+#define FREE 1e3f          // L
 #define CARRIED 0.8f // share of the most that the ground may use up: on steep stairs some is left to catch up with
 #define STANDING_TIME 0.3f // s
 #define LN_2 0.6931472f
@@ -194,6 +195,8 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 	const soleSettings* s = work->settings;
 	float legLength = soleLongestLeg( work );
 	float bound = soleClampF( soleBind( bounds, spring.value ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
+	// A body in the air goes with its root.
+	most = bounds.any ? most : FREE * legLength;
 	float carried = soleClampF( soleGroundStep( work ), -CARRIED * most, CARRIED * most );
 	float step = soleClampF( bound - start, -most - carried, most - carried );
 	state->pelvis.value = start + step;

@@ -9,6 +9,7 @@
 #include "place/place.h"
 
 #define SLOW 0.35f  // L/s: a body that travels slower stands
+#define PACE 0.6f   // L/s: a long step takes longer
 #define APART 0.15f // s between two such steps
 #define LEAST 0.02f // s: a step is no shorter
 
@@ -77,7 +78,10 @@ void soleTakeResteps( solePlaceWork* work )
 		state->restep = soleMaxF( state->restep - work->timeStep, -APART );
 		if ( soleWantsStep( work, leg ) && soleIsBusy( work, leg ) == false )
 		{
-			state->restep = soleMaxF( work->settings->contact.replantTime, LEAST );
+			float time = soleMaxF( work->settings->contact.replantTime, LEAST );
+			float far = soleFindStray( work, leg ) / ( PACE * leg->length );
+			state->restep = soleClampF( far, time, 2.0f * time );
+			state->restepTime = state->restep;
 			state->strayTime = 0.0f;
 		}
 	}
