@@ -57,7 +57,7 @@ static int32_t toolCountPlanting( const toolComparison* comparison )
 	return count;
 }
 
-/// "does not plant: ...", of the methods that try.
+/// The methods that try to plant, and do not.
 static void toolPrintIdle( FILE* stream, const toolComparison* comparison )
 {
 	const char* before = " Does not plant: ";
@@ -79,6 +79,10 @@ static void toolPrintVerdict( FILE* stream, const toolComparison* comparison, co
 	const toolVerdict* verdict = toolFindVerdict( comparison, own );
 	bool judged = verdict != NULL && verdict->judged;
 	int32_t planting = toolCountPlanting( comparison );
+	if ( verdict == NULL )
+	{
+		return;
+	}
 	fprintf( stream, "%s:", comparison->table.cells[0].ground );
 	if ( judged && planting == 1 )
 	{
