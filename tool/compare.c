@@ -5,10 +5,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define SOLE_THICK 0.03   // m under or over the ground that a foot may be and still stands on it
-#define TIMES_LEAST 2.0   // or so many times what the best manages
-#define SHARE_OF_MOST 0.5 // of the largest contact share
-#define EQUAL 0.05        // of the best figure
+#define STANDS_WITHIN 0.05 // m: below that height published figures count a foot as on the ground
+#define TIMES_LEAST 2.0    // or so many times what the best manages
+#define SHARE_OF_MOST 0.5  // of the largest contact share
+#define EQUAL 0.05         // of the best figure
 
 // ---------------------------------------------------------------------------------------------------------- judge
 
@@ -31,7 +31,7 @@ static void toolFindPlanting( const toolTableCell* cells, int32_t cellCount, too
 		const soleLegFigures* all = &cells[i].figures.all;
 		verdicts[i] = ( toolVerdict ){ 0 };
 		verdicts[i].judged = cells[i].method->step != NULL && all->labelledFrames > 0 &&
-		    toolFindOff( cells + i ) <= fmax( SOLE_THICK, TIMES_LEAST * least ) &&
+		    toolFindOff( cells + i ) <= fmax( STANDS_WITHIN, TIMES_LEAST * least ) &&
 		    all->contactShare >= SHARE_OF_MOST * most;
 	}
 }

@@ -3,7 +3,8 @@
 //
 // A method that places nothing is shown and never judged: what it is best in it is by doing nothing. Nor is one that
 // does not plant. A method plants on a ground where
-//   u = max( penetration p95, hover p95 ) is at most 30 mm, or twice the least u of all methods, if that is more, and
+//   u = max( penetration p95, hover p95 ) is at most 50 mm, the height below which published
+//   figures count a foot as on the ground, or twice the least u of all methods, if that is more, and
 //   its contact share is at least half of the largest of all methods.
 // Of those that plant the best of each column is sought. Equal is what differs by at most 5 % of the best, or by less
 // than one step of the last digit that is shown.
