@@ -24,10 +24,10 @@ typedef struct toolColumn
 	const char* name;     // in JSON
 	const char* title;    // in a sentence
 	const char* heads[3]; // over each other; the last is the unit
+	double factor;        // from SI to the unit
 	toolRowFigure figure;
 	toolColumnKind kind;
 	int32_t tables;
-	double factor; // from SI to the unit
 	int decimals;
 	int width;
 	bool most; // better is more, not less

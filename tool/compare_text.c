@@ -77,18 +77,17 @@ static void toolPrintIdle( FILE* stream, const toolComparison* comparison )
 static void toolPrintVerdict( FILE* stream, const toolComparison* comparison, const toolMethod* own )
 {
 	const toolVerdict* verdict = toolFindVerdict( comparison, own );
-	bool judged = verdict != NULL && verdict->judged;
-	int32_t planting = toolCountPlanting( comparison );
 	if ( verdict == NULL )
 	{
 		return;
 	}
+	int32_t planting = toolCountPlanting( comparison );
 	fprintf( stream, "%s:", comparison->table.cells[0].ground );
-	if ( judged && planting == 1 )
+	if ( verdict->judged && planting == 1 )
 	{
 		fprintf( stream, " %s alone plants.", own->name );
 	}
-	else if ( judged )
+	else if ( verdict->judged )
 	{
 		int32_t best = toolCountMarked( verdict->best );
 		int32_t behind = toolCountMarked( verdict->behind );
@@ -309,12 +308,12 @@ struct json_object* toolComparisonsToJson( const soleRig* rig, const toolCompari
 		{
 			const toolTableCell* cell = table->cells + k;
 			const toolVerdict* verdict = comparisons->items[i].verdicts + k;
-			struct json_object* object = toolCellToJson( rig, table, cell );
-			json_object_object_add( object, "scene", json_object_new_string( cell->ground ) );
-			json_object_object_add( object, "plants", json_object_new_boolean( verdict->judged ) );
-			json_object_object_add( object, "best", toolNamesToJson( verdict->best ) );
-			json_object_object_add( object, "behind", toolNamesToJson( verdict->behind ) );
-			json_object_array_add( list, object );
+			struct json_object* entry = toolCellToJson( rig, table, cell );
+			json_object_object_add( entry, "scene", json_object_new_string( cell->ground ) );
+			json_object_object_add( entry, "plants", json_object_new_boolean( verdict->judged ) );
+			json_object_object_add( entry, "best", toolNamesToJson( verdict->best ) );
+			json_object_object_add( entry, "behind", toolNamesToJson( verdict->behind ) );
+			json_object_array_add( list, entry );
 		}
 	}
 	return list;
