@@ -69,7 +69,7 @@ lost()
 {
 	local name
 	for name in "${walks[@]}"; do
-		sed -n -e "/ is best or equal in .*; not in /s/^/- $name, /p" -e "/Does not plant: .*\\bsole\\b/s/^/- $name, /p" \
+		sed -n -e '/^Grounds: /d' -e "/ is best or equal in .*; not in /s/^/- $name, /p" -e "/Does not plant: .*\\bsole\\b/s/^/- $name, /p" \
 			"$work/tables.$name"
 	done
 }

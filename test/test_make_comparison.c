@@ -76,6 +76,8 @@ static void thePageHasWhatItPromises( void** state )
 		assert_int_equal( countOf( page, row ), 3 );
 		free( row );
 	}
+	// The sum stands at the top and under the tables, and is no ground that is lost.
+	assert_int_equal( countOf( page, "Grounds: 2. " ), 2 );
 	assert_int_equal( countOf( page, SOLE_SOURCE_DIR ), 0 );
 	free( page );
 }
