@@ -4,6 +4,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "glb_maker.h"
 
+#include "bake.h"
 #include "mannequin.h"
 
 #include <dirent.h>
@@ -346,6 +347,7 @@ static int testSetUp( void** state )
 	testWriteText( "nan.obj", "v 0 nan 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n" );
 	testWriteText( "index.obj", "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 9\n" );
 	testWriteText( "thin.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n" );
+	testWriteText( "slope.obj", "v -9 0 -9\nv -9 0 9\nv 9 0.3 9\nv 9 0.3 -9\nf 1 2 3 4\n" );
 	testWriteText( "broken.json", "{ \"probe\": \n" );
 	testWriteText( "list.json", "[]" );
 	testWriteText( "name.json", "{ \"contact\": { \"speedOnn\": 0.25 } }" );
@@ -580,6 +582,59 @@ static void aTableAgreesWithBake( void** state )
 	testEnd( &run );
 }
 
+static void aComparisonHasWhatMeasureHas( void** state )
+{
+	(void)state;
+	static const char* const paths[] = { "method", "scene", "ground", "reachShortfall", "referenceFigures.whole",
+		"plants", "best", "behind", NULL };
+	struct json_object* list = testGoodJson( "compare mannequin --ground T02 --ground flat --json" );
+	size_t count = json_object_array_length( list );
+	size_t methods = 0;
+	while ( toolGetMethods()[methods].name != NULL )
+	{
+		++methods;
+	}
+	assert_int_equal( count, 2 * methods );
+	for ( size_t i = 0; i < count; ++i )
+	{
+		struct json_object* item = json_object_array_get_idx( list, i );
+		testHasAll( "compare", item, testFigurePaths );
+		testHasAll( "compare", item, paths );
+		assert_string_equal( json_object_get_string( testGet( item, "scene" ) ), i < methods ? "T02" : "flat" );
+		assert_string_equal( json_object_get_string( testGet( item, "method" ) ), toolGetMethods()[i % methods].name );
+	}
+	struct json_object* rows = testGoodJson( "measure mannequin --table --ground T02 --fps 60 --json" );
+	assert_string_equal( json_object_to_json_string( testGet( json_object_array_get_idx( rows, 0 ), "whole" ) ),
+	    json_object_to_json_string( testGet( json_object_array_get_idx( list, 0 ), "whole" ) ) );
+	json_object_put( rows );
+	json_object_put( list );
+}
+
+static void comparisonsAreWrittenAsTheyArePrinted( void** state )
+{
+	(void)state;
+	static const char* const forms[] = { "", " --markdown", " --json" };
+	for ( size_t i = 0; i < 3; ++i )
+	{
+		static const char compare[] = "compare mannequin --ground slope.obj --start 0,0 --fps 30";
+		char command[160];
+		snprintf( command, sizeof command, "%s%s", compare, forms[i] );
+		testRun printed = testGood( command );
+		snprintf( command, sizeof command, "%s%s -o written/compared.txt", compare, forms[i] );
+		testRun written = testGood( command );
+		char* text = testReadText( "written/compared.txt" );
+		assert_string_equal( text, printed.out );
+		assert_string_equal( written.out, "" );
+		free( text );
+		testEnd( &printed );
+		testEnd( &written );
+	}
+	testRun all = testGood( "compare mannequin --all --method none --fps 30" );
+	assert_non_null( strstr( all.out, "\nT11-20 " ) );
+	assert_non_null( strstr( all.out, "\nLeft out: " ) );
+	testEnd( &all );
+}
+
 // Every item of a list of the input is the same item of the output's list.
 static void testStartsWith( const char* key, struct json_object* whole, struct json_object* start )
 {
@@ -769,6 +824,18 @@ static const testBad testBads[] = {
 	{ "measure o.glb --table --reference walk", 2, NULL, "option" },
 	{ "measure o.glb --table --path 0,0,0", 2, NULL, "--path" },
 	{ "measure o.glb --table --path 0,0;1,1 --heading 3", 2, NULL, "exclude" },
+	{ "compare", 2, NULL, "character" },
+	{ "compare m.glb", 2, NULL, "--ground" },
+	{ "compare m.glb o.glb --all", 2, NULL, "one character" },
+	{ "compare m.glb --all --ground flat", 2, NULL, "exclude" },
+	{ "compare m.glb --all --json --markdown", 2, NULL, "exclude" },
+	{ "compare m.glb --ground flat --what", 2, NULL, "option" },
+	{ "compare m.glb --ground", 2, NULL, "option" },
+	{ "compare m.glb --ground flat --method magic", 2, NULL, "--method" },
+	{ "compare m.glb --ground flat --method sole --method sole", 2, NULL, "twice" },
+	{ "compare m.glb --ground flat --fps 59.94", 2, NULL, "--fps" },
+	{ "compare m.glb --ground flat --scale -1", 2, NULL, "--scale" },
+	{ "compare m.glb --ground flat --path 0,0", 2, NULL, "--path" },
 	{ "label", 2, NULL, NULL },
 	{ "label m.glb --scale 0", 2, NULL, "--scale" },
 	{ "settings more", 2, NULL, NULL },
@@ -788,6 +855,15 @@ static const testBad testBads[] = {
 	{ "measure o.glb --table --ground flat,gone", 1, "gone", NULL },
 	{ "measure o.glb --table --clips gone.glb", 1, "gone.glb", NULL },
 	{ "measure o.glb --table --settings gone.json", 1, "gone.json", NULL },
+	{ "compare gone.glb --all", 1, "gone.glb", NULL },
+	{ "compare m.glb --ground flat --ground gone", 1, "gone", NULL },
+	{ "compare m.glb --ground points.obj -o bad.txt", 1, "points.obj", NULL },
+	{ "compare m.glb --ground flat --clip moonwalk -o bad.txt", 1, "m.glb", "moonwalk" },
+	{ "compare m.glb --ground flat --clips no_clips.glb", 1, "no_clips.glb", NULL },
+	{ "compare m.glb --ground flat --settings broken.json", 1, "broken.json", "JSON" },
+	{ "compare m.glb --ground flat --method none -o gone/bad.txt", 1, "gone/bad.txt", NULL },
+	{ "compare m.glb --ground flat --method none -o folder.glb", 1, "folder.glb", NULL },
+	{ "compare m.glb --all --method none --scale 1e-6", 1, NULL, NULL },
 	{ "measure o.glb --ground flat --clip walk|sole --reference moonwalk", 1, "o.glb", "moonwalk" },
 	{ "measure o.glb --ground flat --clip walk|sole --reference idle", 1, "o.glb", "idle" },
 	{ "measure o.glb --ground gone --clip walk|sole", 1, "gone", NULL },
@@ -943,6 +1019,8 @@ int main( void )
 		cmocka_unit_test( measureAgreesWithBake ),
 		cmocka_unit_test( aTableHasARowForEachGroundMethodAndRate ),
 		cmocka_unit_test( aTableAgreesWithBake ),
+		cmocka_unit_test( aComparisonHasWhatMeasureHas ),
+		cmocka_unit_test( comparisonsAreWrittenAsTheyArePrinted ),
 		cmocka_unit_test( bakeKeepsTheFile ),
 		cmocka_unit_test( bakeWritesGltf ),
 		cmocka_unit_test( clipsOfASecondFileAreBaked ),

@@ -5,6 +5,7 @@
 
 #include "steps.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,6 +42,7 @@ static void toolStepSole( void* user, const toolMethodStep* step )
 	{
 		step->flags[i] = memory->output.legs[i].flags;
 		step->plantWeights[i] = memory->output.legs[i].plantWeight;
+		step->shortfalls[i] = memory->output.legs[i].error;
 	}
 	*step->pelvisOffset = memory->output.pelvisOffset_w;
 }
@@ -84,6 +86,11 @@ static void toolAllocTake( toolBakeResult* result )
 	result->flags = toolAlloc( frames * (size_t)result->legCount, sizeof *result->flags );
 	result->plantWeights = toolAlloc( frames * (size_t)result->legCount, sizeof *result->plantWeights );
 	result->pelvis = toolAlloc( frames, sizeof *result->pelvis );
+	result->shortfalls = toolAlloc( frames * (size_t)result->legCount, sizeof *result->shortfalls );
+	for ( size_t i = 0; i < frames * (size_t)result->legCount; ++i )
+	{
+		result->shortfalls[i] = NAN;
+	}
 }
 
 static void toolStepFrame( const toolCharacter* character, const toolBoundClip* bound, const toolTravel* travel,
@@ -115,6 +122,7 @@ static void toolStepFrame( const toolCharacter* character, const toolBoundClip* 
 		.pose = result->output + i * joints,
 		.flags = result->flags + i * legs,
 		.plantWeights = result->plantWeights + i * legs,
+		.shortfalls = result->shortfalls + i * legs,
 		.pelvisOffset = result->pelvis + i,
 	};
 	memcpy( step.pose, frame.pose, joints * sizeof *step.pose );
@@ -189,6 +197,7 @@ void toolFreeBakeResult( toolBakeResult* result )
 	free( result->output );
 	free( result->flags );
 	free( result->plantWeights );
+	free( result->shortfalls );
 	free( result->pelvis );
 	*result = ( toolBakeResult ){ 0 };
 }

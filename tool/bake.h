@@ -15,6 +15,7 @@ typedef struct toolMethodStep
 	soleTransform* pose;    // a copy of the frame's pose, to be changed
 	uint32_t* flags;        // per leg, soleLegFlags; zeroed
 	float* plantWeights;    // per leg; zeroed
+	float* shortfalls;      // per leg, how far its end is from where the method wants it, m; NaN: not told
 	soleVec3* pelvisOffset; // world; zeroed
 } toolMethodStep;
 
@@ -63,6 +64,7 @@ typedef struct toolBakeResult
 	soleTransform* output; // likewise
 	uint32_t* flags;       // frameCount * legCount
 	float* plantWeights;   // frameCount * legCount
+	float* shortfalls;     // frameCount * legCount, m; NaN where the method does not tell
 	soleVec3* pelvis;      // frameCount, world
 } toolBakeResult;
 

@@ -77,31 +77,30 @@ static const char toolHelp[] =
     "\n"
     "Methods:\n";
 
-static void toolPrintBakeHelp( void )
+void toolPrintMethods( void )
 {
-	fputs( toolHelp, stdout );
 	for ( const toolMethod* method = toolGetMethods(); method->name != NULL; ++method )
 	{
 		printf( "  %-18s  %s\n", method->name, method->summary );
 	}
 }
 
-static const char* toolReadMethod( const char* name, toolBakeOptions* options )
+const char* toolReadMethod( const char* name, const toolMethod*** methods, int32_t* count )
 {
 	const toolMethod* method = toolFindMethod( name );
 	if ( method == NULL )
 	{
 		return "--method names no method";
 	}
-	for ( int32_t i = 0; i < options->methodCount; ++i )
+	for ( int32_t i = 0; i < *count; ++i )
 	{
-		if ( options->methods[i] == method )
+		if ( ( *methods )[i] == method )
 		{
 			return "--method names one method twice";
 		}
 	}
-	options->methods = toolGrow( options->methods, (size_t)options->methodCount + 1, sizeof *options->methods );
-	options->methods[options->methodCount++] = method;
+	*methods = toolGrow( *methods, (size_t)*count + 1, sizeof **methods );
+	( *methods )[( *count )++] = method;
 	return NULL;
 }
 
@@ -162,7 +161,7 @@ static const char* toolReadOption( int option, const char* text, toolBakeOptions
 		options->clipsFile = text;
 		return NULL;
 	case tool_optionMethod:
-		return toolReadMethod( text, options );
+		return toolReadMethod( text, &options->methods, &options->methodCount );
 	case tool_optionSettings:
 		options->settingsFile = text;
 		return NULL;
@@ -230,7 +229,8 @@ int toolReadBakeOptions( int argc, char** argv, toolBakeOptions* options )
 	{
 		if ( option == 'h' )
 		{
-			toolPrintBakeHelp();
+			fputs( toolHelp, stdout );
+			toolPrintMethods();
 			return tool_done;
 		}
 		const char* wrong =
@@ -252,7 +252,7 @@ int toolReadBakeOptions( int argc, char** argv, toolBakeOptions* options )
 	options->character = argv[optind];
 	if ( options->methodCount == 0 )
 	{
-		toolReadMethod( "sole", options );
+		toolReadMethod( "sole", &options->methods, &options->methodCount );
 	}
 	return tool_goOn;
 }

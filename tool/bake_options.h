@@ -37,6 +37,10 @@ typedef struct toolBakeOptions
 
 /// Prints the help, the settings or what is wrong, where that is what is asked for.
 int toolReadBakeOptions( int argc, char** argv, toolBakeOptions* options );
+/// The list that ends a help, on stdout.
+void toolPrintMethods( void );
+/// Adds a method by its name to a list that free() ends. @return what is wrong, or NULL.
+const char* toolReadMethod( const char* name, const toolMethod*** methods, int32_t* count );
 void toolFreeBakeOptions( toolBakeOptions* options );
 
 #endif

@@ -2,9 +2,7 @@
 // sole measure --table: a clip baked in memory over several grounds, at several rates, with several methods, and how
 // well each of them holds the targets.
 #include "command.h"
-#include "settings_file.h"
-#include "table.h"
-#include "way_options.h"
+#include "table_input.h"
 
 #include <getopt.h>
 #include <json-c/json.h>
@@ -35,28 +33,23 @@ static const char toolTableHelp[] =
 
 typedef struct toolTableOptions
 {
-	const char* character;
-	const char* clip;
-	const char* clips;
-	const char* settings;
-	double scale;
-	char** grounds;
-	int32_t groundCount;
+	toolTableInput input;
 	int32_t* rates;
 	int32_t rateCount;
-	const toolMethod** methods;
-	int32_t methodCount;
-	toolWayOptions way;
 	bool json;
 } toolTableOptions;
 
 // -------------------------------------------------------------------------------------------------------- options
 
-static const char* toolAddGround( const char* word, toolTableOptions* options )
+static const char* toolAddGroundWord( const char* word, toolTableOptions* options )
 {
-	options->grounds = toolGrow( options->grounds, (size_t)options->groundCount + 1, sizeof *options->grounds );
-	options->grounds[options->groundCount++] = toolCopyString( word );
+	toolAddGround( word, &options->input );
 	return NULL;
+}
+
+static const char* toolAddMethodWord( const char* word, toolTableOptions* options )
+{
+	return toolAddMethod( word, &options->input );
 }
 
 static const char* toolAddRate( const char* word, toolTableOptions* options )
@@ -68,18 +61,6 @@ static const char* toolAddRate( const char* word, toolTableOptions* options )
 	}
 	options->rates = toolGrow( options->rates, (size_t)options->rateCount + 1, sizeof *options->rates );
 	options->rates[options->rateCount++] = (int32_t)rate;
-	return NULL;
-}
-
-static const char* toolAddMethod( const char* word, toolTableOptions* options )
-{
-	const toolMethod* method = toolFindMethod( word );
-	if ( method == NULL )
-	{
-		return "--method names no method";
-	}
-	options->methods = toolGrow( options->methods, (size_t)options->methodCount + 1, sizeof *options->methods );
-	options->methods[options->methodCount++] = method;
 	return NULL;
 }
 
@@ -104,30 +85,17 @@ static const char* toolReadTableOption( int option, const char* text, toolTableO
 	{
 	case 't':
 		return NULL;
-	case 'c':
-		options->clip = text;
-		return NULL;
-	case 'C':
-		options->clips = text;
-		return NULL;
-	case 'S':
-		options->settings = text;
-		return NULL;
 	case 'g':
-		return toolReadList( text, toolAddGround, options );
+		return toolReadList( text, toolAddGroundWord, options );
 	case 'f':
 		return toolReadList( text, toolAddRate, options );
 	case 'm':
-		return toolReadList( text, toolAddMethod, options );
-	case 's':
-		return toolParseRange( text, 1e-6, 1e6, &options->scale ) ? NULL : "--scale needs a number above zero";
+		return toolReadList( text, toolAddMethodWord, options );
 	case 'j':
 		options->json = true;
 		return NULL;
-	case '?':
-		return "an option is unknown or lacks its value";
 	default:
-		return toolReadWayOption( option, text, &options->way );
+		return toolReadTableInput( option, text, &options->input );
 	}
 }
 
@@ -137,19 +105,19 @@ static const char* toolCompleteTableOptions( int argc, char** argv, toolTableOpt
 	{
 		return "give one character";
 	}
-	options->character = argv[optind];
-	const char* wrong = toolCheckWayOptions( &options->way );
-	if ( options->groundCount == 0 )
+	options->input.character = argv[optind];
+	const char* wrong = toolCheckWayOptions( &options->input.way );
+	if ( options->input.groundCount == 0 )
 	{
-		toolReadList( "T02 T03 T11-10 T11-20 T11-30 rubble", toolAddGround, options );
+		toolReadList( "T02 T03 T11-10 T11-20 T11-30 rubble", toolAddGroundWord, options );
 	}
 	if ( options->rateCount == 0 )
 	{
 		toolReadList( "30 60 144", toolAddRate, options );
 	}
-	if ( options->methodCount == 0 )
+	if ( options->input.methodCount == 0 )
 	{
-		toolReadList( "sole", toolAddMethod, options );
+		toolReadList( "sole", toolAddMethodWord, options );
 	}
 	return wrong;
 }
@@ -158,12 +126,10 @@ static const char* toolCompleteTableOptions( int argc, char** argv, toolTableOpt
 static const char* toolReadTableOptions( int argc, char** argv, toolTableOptions* options, bool* help )
 {
 	static const struct option names[] = { { "table", no_argument, NULL, 't' },
-		{ "clip", required_argument, NULL, 'c' }, { "clips", required_argument, NULL, 'C' },
 		{ "ground", required_argument, NULL, 'g' }, { "fps", required_argument, NULL, 'f' },
-		{ "method", required_argument, NULL, 'm' }, { "settings", required_argument, NULL, 'S' },
-		{ "scale", required_argument, NULL, 's' }, { "json", no_argument, NULL, 'j' },
-		{ "help", no_argument, NULL, 'h' }, TOOL_WAY_OPTIONS, { NULL, 0, NULL, 0 } };
-	*options = ( toolTableOptions ){ .scale = 1.0 };
+		{ "method", required_argument, NULL, 'm' }, { "json", no_argument, NULL, 'j' },
+		{ "help", no_argument, NULL, 'h' }, TOOL_TABLE_INPUT_OPTIONS, { NULL, 0, NULL, 0 } };
+	*options = ( toolTableOptions ){ .input = toolDefaultTableInput() };
 	opterr = 0;
 	optind = 1;
 	int option;
@@ -183,96 +149,47 @@ static const char* toolReadTableOptions( int argc, char** argv, toolTableOptions
 	return toolCompleteTableOptions( argc, argv, options );
 }
 
-static void toolFreeTableOptions( toolTableOptions* options )
-{
-	for ( int32_t i = 0; i < options->groundCount; ++i )
-	{
-		free( options->grounds[i] );
-	}
-	free( options->grounds );
-	free( options->rates );
-	free( options->methods );
-	toolFreeWayOptions( &options->way );
-}
-
 // ------------------------------------------------------------------------------------------------------------ run
 
-/// Everything that is open.
-typedef struct toolTableRun
+static void toolShowProgress( void* user, double done )
 {
-	toolGltf* gltf;
-	toolGltf* clipsGltf; // NULL: clips are in gltf
-	toolCharacter character;
-	toolBoundClip bound;
-	soleSettings settings;
-	toolTable table;
-} toolTableRun;
-
-static void toolFreeTableRun( toolTableRun* run )
-{
-	toolFreeTable( &run->table );
-	toolFreeBoundClip( &run->bound );
-	toolFreeCharacter( &run->character );
-	toolFreeGltf( run->clipsGltf );
-	toolFreeGltf( run->gltf );
-}
-
-static bool toolOpenTableRun( const toolTableOptions* options, toolTableRun* run, toolError* error )
-{
-	run->settings = soleDefaultSettings();
-	if ( ( options->settings != NULL && toolReadSettings( options->settings, &run->settings, error ) == false ) ||
-	    toolOpenCharacter( options->character, &run->gltf, error ) == false ||
-	    ( options->clips != NULL && toolOpenCharacter( options->clips, &run->clipsGltf, error ) == false ) )
-	{
-		return false;
-	}
-	const toolModel* model = toolGltf_GetModel( run->gltf );
-	const toolModel* clipModel = run->clipsGltf != NULL ? toolGltf_GetModel( run->clipsGltf ) : model;
-	const char* clipFile = options->clips != NULL ? options->clips : options->character;
-	return toolMakeCharacter( model, options->character, (float)options->scale, &run->character, error ) &&
-	    toolBindNamedClip( &run->character, clipModel, clipFile, options->clip, &run->bound, error );
-}
-
-static void toolShowProgress( double done )
-{
+	(void)user;
 	toolProgress( "measuring", done );
 }
 
-static bool toolRunTable( const toolTableOptions* options, toolTableRun* run, toolError* error )
-{
-	if ( toolOpenTableRun( options, run, error ) == false )
-	{
-		return false;
-	}
-	toolTravel travel = toolFindTravel( &run->character, &run->bound );
-	toolTableDef def = {
-		.character = &run->character,
-		.bound = &run->bound,
-		.travel = &travel,
-		.settings = &run->settings,
-		.grounds = (const char* const*)options->grounds,
-		.groundCount = options->groundCount,
-		.rates = options->rates,
-		.rateCount = options->rateCount,
-		.methods = options->methods,
-		.methodCount = options->methodCount,
-		.way = &options->way,
-		.progress = toolShowProgress,
-	};
-	return toolMakeTable( &def, &run->table, error );
-}
-
-static void toolTellTable( const toolTableOptions* options, const toolTableRun* run )
+static void toolTellTable( const toolTableOptions* options, const toolTableFiles* files, const toolTable* table )
 {
 	if ( options->json )
 	{
-		struct json_object* list = toolTableToJson( run->character.rig, &run->table );
+		struct json_object* list = toolTableToJson( files->character.rig, table );
 		puts( json_object_to_json_string_ext( list, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_SPACED ) );
 		json_object_put( list );
 		return;
 	}
-	printf( "%s: %s, half a second at the start left out\n\n", options->character, run->table.clip );
-	toolPrintTable( stdout, &run->table );
+	printf( "%s: %s, half a second at the start left out\n\n", options->input.character, table->clip );
+	toolPrintTable( stdout, table );
+}
+
+static bool toolRunTable( const toolTableOptions* options, toolError* error )
+{
+	toolTableFiles files = { 0 };
+	toolTable table = { 0 };
+	bool good = toolOpenTableFiles( &options->input, &files, error );
+	if ( good )
+	{
+		toolTableDef def = toolMakeTableDef( &options->input, &files );
+		def.rates = options->rates;
+		def.rateCount = options->rateCount;
+		def.progress = toolShowProgress;
+		good = toolMakeTable( &def, &table, error );
+	}
+	if ( good )
+	{
+		toolTellTable( options, &files, &table );
+	}
+	toolFreeTable( &table );
+	toolCloseTableFiles( &files );
+	return good;
 }
 
 int toolRunMeasureTable( int argc, char** argv )
@@ -291,16 +208,10 @@ int toolRunMeasureTable( int argc, char** argv )
 	}
 	else
 	{
-		toolTableRun run = { 0 };
 		toolError error = { { 0 } };
-		bool good = toolRunTable( &options, &run, &error );
-		if ( good )
-		{
-			toolTellTable( &options, &run );
-		}
-		status = good ? tool_done : toolReportFailure( &error );
-		toolFreeTableRun( &run );
+		status = toolRunTable( &options, &error ) ? tool_done : toolReportFailure( &error );
 	}
-	toolFreeTableOptions( &options );
+	toolFreeTableInput( &options.input );
+	free( options.rates );
 	return status;
 }

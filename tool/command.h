@@ -31,6 +31,7 @@ int toolRunBake( int argc, char** argv );
 int toolRunMeasure( int argc, char** argv );
 /// measure --table
 int toolRunMeasureTable( int argc, char** argv );
+int toolRunCompare( int argc, char** argv );
 int toolRunLabel( int argc, char** argv );
 int toolRunSettings( int argc, char** argv );
 

@@ -395,8 +395,7 @@ bool toolMeasureTakePublished( const toolCharacter* character, const toolTake* t
 	return toolEndMeasuring( &measuring, result, &message, error );
 }
 
-bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
-    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+bool toolMakeBakeTake( const toolCharacter* character, const toolBakeResult* result, toolTake* take, toolError* error )
 {
 	toolTakeDef def = {
 		.frameCount = result->walk.frameCount,
@@ -408,8 +407,27 @@ bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* resu
 		.inputRoots = result->walk.roots,
 		.seams = result->walk.seams,
 	};
+	return toolMakeTake( character, &def, take, error );
+}
+
+double toolFindShortfall( const toolBakeResult* result, const toolTake* take )
+{
+	double most = (double)NAN;
+	for ( int32_t i = take->skip * result->legCount; i < take->frameCount * result->legCount; ++i )
+	{
+		if ( take->labels[i] != sole_labelNone )
+		{
+			most = fmax( most, (double)result->shortfalls[i] ); // of a number and none the number
+		}
+	}
+	return most;
+}
+
+bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
+    soleFigures* figures, soleFigures* referenceFigures, toolError* error )
+{
 	toolTake take;
-	if ( toolMakeTake( character, &def, &take, error ) == false )
+	if ( toolMakeBakeTake( character, result, &take, error ) == false )
 	{
 		return false;
 	}

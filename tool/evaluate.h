@@ -79,6 +79,13 @@ bool toolMeasureTake( const toolCharacter* character, const toolTake* take, cons
 bool toolMeasureTakePublished( const toolCharacter* character, const toolTake* take, const soleTerrain* terrain,
     solePublishedFigures* figures, solePublishedFigures* referenceFigures, toolError* error );
 
+/// The take of what was just baked.
+bool toolMakeBakeTake( const toolCharacter* character, const toolBakeResult* result, toolTake* take, toolError* error );
+
+/// The furthest that a leg's end was from where the method wanted it, over labelled frames, m. Not a number where the
+/// method does not tell.
+double toolFindShortfall( const toolBakeResult* result, const toolTake* take );
+
 /// toolMeasureTake() for what was just baked.
 bool toolMeasureBake( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
     soleFigures* figures, soleFigures* referenceFigures, toolError* error );

@@ -16,6 +16,7 @@ static const toolCommand toolCommands[] = {
 	{ "inspect", "legs, soles, clips and problems of a character", toolRunInspect },
 	{ "bake", "plays a clip over a ground with its feet placed, into a new clip of the file", toolRunBake },
 	{ "measure", "prints how well the feet of a clip stand on a ground", toolRunMeasure },
+	{ "compare", "prints the figures of all methods side by side", toolRunCompare },
 	{ "label", "prints when which foot is in contact, per clip", toolRunLabel },
 	{ "settings", "lists every tunable with its unit, range and default", toolRunSettings },
 	{ NULL, NULL, NULL },

@@ -59,6 +59,12 @@ static double toolPickFigure( const soleFigures* figures, toolRowFigure figure )
 		return (double)all->overExtended;
 	case tool_rowJump:
 		return all->largestJump;
+	case tool_rowClearance:
+		return all->swings > 0 ? all->clearance : (double)NAN;
+	case tool_rowScuffs:
+		return all->swings > 0 ? (double)all->scuffs : (double)NAN;
+	case tool_rowDeviation:
+		return figures->deviation;
 	default:
 		return (double)NAN;
 	}
@@ -71,7 +77,7 @@ double toolGetRowFigure( const toolTableCell* cell, toolRowFigure figure )
 		double distance = figure == tool_rowRateMax ? cell->rate.max : cell->rate.p95;
 		return cell->isBase ? (double)NAN : distance;
 	}
-	return toolPickFigure( &cell->figures, figure );
+	return figure == tool_rowShortfall ? cell->shortfall : toolPickFigure( &cell->figures, figure );
 }
 
 double toolGetRowReference( const toolTableCell* cell, toolRowFigure figure )
@@ -160,14 +166,18 @@ static soleMotion toolOutputMotion( const toolCharacter* character, const toolBa
 static bool toolMeasureCell( const toolTableDef* def, const toolTableGround* ground, const toolBakeResult* result,
     const toolBakeResult* base, toolTableCell* cell, toolError* error )
 {
-	cell->isBase = result == base;
-	if ( toolMeasureBake( def->character, result, ground->terrain, &cell->figures, &cell->reference, error ) == false )
+	toolTake take;
+	if ( toolMakeBakeTake( def->character, result, &take, error ) == false )
 	{
 		return false;
 	}
-	if ( cell->isBase )
+	cell->isBase = result == base;
+	cell->shortfall = toolFindShortfall( result, &take );
+	bool good = toolMeasureTake( def->character, &take, ground->terrain, &cell->figures, &cell->reference, error );
+	toolFreeTake( &take );
+	if ( good == false || cell->isBase )
 	{
-		return true;
+		return good;
 	}
 	soleMotion motion = toolOutputMotion( def->character, result );
 	soleMotion other = toolOutputMotion( def->character, base );
@@ -205,7 +215,7 @@ static bool toolMakeCells( const toolTableDef* def, const toolTableGround* groun
 		}
 		if ( def->progress != NULL )
 		{
-			def->progress( (double)table->cellCount / (double)total );
+			def->progress( def->user, (double)table->cellCount / (double)total );
 		}
 	}
 	toolFreeBakeResult( &base );

@@ -27,7 +27,11 @@ typedef enum toolRowFigure
 	tool_rowPelvisJerk,
 	tool_rowPelvisStep,
 	tool_rowOverExtended,
+	tool_rowShortfall, // not a number where the method does not tell
 	tool_rowJump,
+	tool_rowClearance, // not a number without a swing, as is the next
+	tool_rowScuffs,
+	tool_rowDeviation,
 	tool_rowRateP95, // distance to the same run at the base rate; not a number at the base rate itself
 	tool_rowRateMax,
 	tool_rowFigureCount
@@ -40,6 +44,7 @@ typedef struct toolTableCell
 	const toolMethod* method;
 	soleFigures figures;
 	soleFigures reference; // of the clip on flat ground at the same rate, feet untouched
+	double shortfall;      // as toolFindShortfall() has it
 	soleStat rate;         // distances to the cell at the base rate
 	bool isBase;           // is that cell
 } toolTableCell;
@@ -84,7 +89,8 @@ typedef struct toolTableDef
 	/// The way over grounds that have none of their own.
 	const toolWayOptions* way;
 	/// Called with the share that is done. May be NULL.
-	void ( *progress )( double done );
+	void ( *progress )( void* user, double done );
+	void* user;
 } toolTableDef;
 
 typedef struct toolTable
@@ -101,7 +107,10 @@ void toolFreeTable( toolTable* table );
 
 /// A row a cell. Figures that miss their target have a '!' behind them; the last line counts.
 void toolPrintTable( FILE* stream, const toolTable* table );
-/// [ { "clip", "ground", "fps", "method", "legs", "whole", "referenceFigures", "ratios", "rate", "targets" } ]
+/// { "clip", "ground", "fps", "method", "reachShortfall", "legs", "whole", "referenceFigures", "ratios", "rate",
+/// "targets" }
+struct json_object* toolCellToJson( const soleRig* rig, const toolTable* table, const toolTableCell* cell );
+/// A list of all of them.
 struct json_object* toolTableToJson( const soleRig* rig, const toolTable* table );
 
 #endif

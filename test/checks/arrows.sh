@@ -52,7 +52,7 @@ for file in $( sources tool viewer bindings samples ); do
 done
 
 # The folders of src: what each may use beside itself and the public headers.
-declare -A uses=( [base]='' [rig]='base' [ground]='base' [place]='base|rig' [measure]='base|rig' [debug]='base|rig' )
+declare -A uses=( [base]='' [rig]='base' [ground]='base' [place]='base|rig' [measure]='base|rig' [debug]='base|rig' [limb]='base' )
 for folder in src/*/; do
 	part=$( basename "$folder" )
 	allowed="$part${uses[$part]:+|${uses[$part]}}"

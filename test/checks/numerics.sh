@@ -22,12 +22,14 @@ scan()
 	done
 }
 
-for folder in src/base src/place; do
+for folder in src/base src/place src/limb; do
 	if [ -d $folder ]; then
 		scan $folder "($libm)[fl]?|$intrinsics" "not the same bits everywhere"
 	fi
 done
-if [ -d src/place ]; then
-	scan src/place "$memory|$outside" "no allocation and nothing from outside in a frame"
-fi
+for folder in src/place src/limb; do
+	if [ -d $folder ]; then
+		scan $folder "$memory|$outside" "no allocation and nothing from outside in a frame"
+	fi
+done
 exit $status
