@@ -19,7 +19,7 @@
 // turn brings that point to the target, then one about the line to the target brings up as near to the pole as it gets.
 //
 // Weight: each correction is the normalised mean of none and itself.
-#include "ozz_jobs.h"
+#include "baselines/ozz_jobs.h"
 
 static const soleVec3 nowhere = { 0.0f, 0.0f, 0.0f };
 
@@ -104,10 +104,9 @@ static soleQuat soleSwingOzz( const soleOzzTwoBoneJob* job, soleVec3 bentEnd, so
 
 soleOzzTwoBoneJob soleDefaultOzzTwoBoneJob( void )
 {
-	return ( soleOzzTwoBoneJob ){ .midAxis = { 0.0f, 0.0f, 1.0f },
-		.poleVector = { 0.0f, 1.0f, 0.0f },
-		.soften = 1.0f,
-		.weight = 1.0f };
+	return ( soleOzzTwoBoneJob ){
+		.midAxis = { 0.0f, 0.0f, 1.0f }, .poleVector = { 0.0f, 1.0f, 0.0f }, .soften = 1.0f, .weight = 1.0f
+	};
 }
 
 soleOzzTwoBoneResult soleRunOzzTwoBone( const soleOzzTwoBoneJob* job )
@@ -135,10 +134,9 @@ soleOzzTwoBoneResult soleRunOzzTwoBone( const soleOzzTwoBoneJob* job )
 
 soleOzzAimJob soleDefaultOzzAimJob( void )
 {
-	return ( soleOzzAimJob ){ .forward = { 1.0f, 0.0f, 0.0f },
-		.up = { 0.0f, 1.0f, 0.0f },
-		.poleVector = { 0.0f, 1.0f, 0.0f },
-		.weight = 1.0f };
+	return ( soleOzzAimJob ){
+		.forward = { 1.0f, 0.0f, 0.0f }, .up = { 0.0f, 1.0f, 0.0f }, .poleVector = { 0.0f, 1.0f, 0.0f }, .weight = 1.0f
+	};
 }
 
 soleOzzAimResult soleRunOzzAim( const soleOzzAimJob* job )
