@@ -22,7 +22,7 @@
 
 #define ENDLESS 1e5f // lengths of a ray that has no end
 
-#define SAMPLE_LEG 0.95f // m, of the character for which the sample's lengths were chosen
+#define SAMPLE_LEG 0.93f // m, of the character for which the sample's lengths were chosen
 
 // -------------------------------------------------------------------------------------------------------- settings
 
