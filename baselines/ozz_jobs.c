@@ -23,8 +23,8 @@
 
 static const soleVec3 nowhere = { 0.0f, 0.0f, 0.0f };
 
-/// By the angle between two unit vectors about a unit axis, to its left where side is not negative. Cosine and sine of
-/// half of the angle are half of the vectors' sum and difference.
+/// By the angle between two unit vectors, right-handed about a unit axis unless side is negative. Cosine and sine of
+/// half of that angle are half of the vectors' sum and difference.
 static soleQuat soleTurnBetween( soleVec3 from, soleVec3 to, soleVec3 axis, float side )
 {
 	float c = 0.5f * soleLength( soleAdd( from, to ) );
