@@ -6,6 +6,8 @@
 #include "baselines/homebrew.h"
 #include "baselines/iksetting.h"
 
+#define CURVE_RAMP 0.15f // s, of drawn curves
+
 // What every method has of a frame.
 typedef struct toolAncestorCasts
 {
@@ -77,18 +79,33 @@ void* toolStartIkSetting( const toolCharacter* character )
 	return memory;
 }
 
-/// What an animator would put into the clip for the feet of one side: on while any of them stands. A foot of which
-/// nothing is known counts as standing.
+/// What an animator would draw into the clip for one foot: 1 while any of it stands, with a ramp before and after. A
+/// foot of which nothing is known stands.
+static float toolDrawFootCurve( const soleFrame* frame, int32_t leg )
+{
+	if ( frame->contact == NULL || frame->contact[leg].heel < 0.0f || frame->contact[leg].toe < 0.0f )
+	{
+		return 1.0f;
+	}
+	float stands = soleMaxF( frame->contact[leg].heel, frame->contact[leg].toe );
+	if ( frame->steps == NULL )
+	{
+		return stands;
+	}
+	const soleStepInput* step = frame->steps + leg;
+	float lifted = step->since >= 0.0f ? 1.0f - step->since / CURVE_RAMP : 0.0f;
+	float landing = step->until >= 0.0f ? 1.0f - step->until / CURVE_RAMP : 0.0f;
+	return soleMaxF( stands, soleMaxF( lifted, landing ) );
+}
+
+/// Legs of one side share a curve: it is on while any of them stands.
 static float toolDrawCurve( const toolMethodStep* step, bool right )
 {
 	float curve = 0.0f;
 	for ( int32_t i = 0; i < soleRig_GetLegCount( step->character->rig ); ++i )
 	{
-		soleContactInput contact = { -1.0f, -1.0f };
-		contact = step->frame->contact != NULL ? step->frame->contact[i] : contact;
-		float stands = contact.heel < 0.0f || contact.toe < 0.0f ? 1.0f : soleMaxF( contact.heel, contact.toe );
 		bool ofSide = ( soleRig_GetLeg( step->character->rig, i ).side == sole_right ) == right;
-		curve = ofSide ? soleMaxF( curve, stands ) : curve;
+		curve = ofSide ? soleMaxF( curve, toolDrawFootCurve( step->frame, i ) ) : curve;
 	}
 	return curve;
 }
