@@ -11,6 +11,14 @@
 
 #include <string.h>
 
+soleTransform soleGetBaselineRoot( const soleRig* rig, const soleFrame* frame )
+{
+	soleTransform root = frame->root;
+	root.translation = soleTransformPoint( root, soleScale( frame->clipFloor, soleRig_GetUp( rig ) ) );
+	root.rotation = soleNormalizeQuat( root.rotation );
+	return root;
+}
+
 static soleTransform soleGetParentSpace( const soleRig* rig, const soleFrame* frame, int32_t joint )
 {
 	int32_t parent = soleRig_GetParent( rig, joint );
@@ -272,7 +280,8 @@ void soleWriteBaselineGround(
 	soleVec3 up = soleGetBaselineUp( rig, frame );
 	output->planePoint_w = hitOrNull->point_w;
 	output->planeNormal_w = hitOrNull->normal_w;
-	output->heightDemand = soleDot( soleSub( hitOrNull->point_w, frame->root.translation ), up );
+	soleVec3 floor_w = soleGetBaselineRoot( rig, frame ).translation;
+	output->heightDemand = soleDot( soleSub( hitOrNull->point_w, floor_w ), up );
 	output->confidence = 1.0f;
 }
 

@@ -40,6 +40,9 @@ typedef struct soleShownFeet
 	soleQuat feet[SOLE_MAX_LEGS];
 } soleShownFeet;
 
+/// The frame's root, put on the clip's own floor: the four systems know no clip whose floor is not at the origin.
+/// Rotation of unit length.
+soleTransform soleGetBaselineRoot( const soleRig* rig, const soleFrame* frame );
 /// A joint of the animated pose in the world.
 soleTransform soleGetBaselineJoint( const soleRig* rig, const soleFrame* frame, int32_t joint );
 soleBaselineLeg soleReadBaselineLeg( const soleRig* rig, const soleFrame* frame, int32_t leg );

@@ -3,6 +3,7 @@
 // parent-local, roots take character space to the world of the ground.
 #include "bake.h"
 
+#include "method_ancestors.h"
 #include "steps.h"
 
 #include <stdlib.h>
@@ -48,6 +49,10 @@ static void toolStepSole( void* user, const toolMethodStep* step )
 static const toolMethod toolMethods[] = {
 	{ "sole", "Sole", toolStartSole, toolStepSole },
 	{ "none", "moved over the ground, feet untouched", NULL, NULL },
+	{ "homebrew", "a sphere under each ankle, feet and ground normals filtered, the body down to the lower foot",
+	    toolStartHomebrew, toolStepHomebrew },
+	{ "iksetting", "a ray under each foot 50 times a second, the ground's height added to the clip by its curves",
+	    toolStartIkSetting, toolStepIkSetting },
 	{ NULL, NULL, NULL, NULL },
 };
 

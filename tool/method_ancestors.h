@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The systems that Sole is compared with, as methods of a bake.
+#ifndef TOOL_METHOD_ANCESTORS_H
+#define TOOL_METHOD_ANCESTORS_H
+
+#include "bake.h"
+
+void* toolStartHomebrew( const toolCharacter* character );
+void toolStepHomebrew( void* memory, const toolMethodStep* step );
+
+void* toolStartIkSetting( const toolCharacter* character );
+void toolStepIkSetting( void* memory, const toolMethodStep* step );
+
+#endif
