@@ -84,7 +84,8 @@ int32_t soleGatherEffector( const soleRig* rig, const soleEffectorSettings* sett
     const soleFrame* frame, soleProbe* probes, int32_t capacity )
 {
 	soleVec3 up = soleGetBaselineUp( rig, frame );
-	soleVec3 actor = soleMulAdd( frame->root.translation, soleGetActorHeight( settings, state ), up );
+	soleVec3 root = soleGetBaselineRoot( rig, frame ).translation;
+	soleVec3 actor = soleMulAdd( root, soleGetActorHeight( settings, state ), up );
 	bool traces = soleRunsEffector( settings, state ) && soleMovesEffector( state, frame ) == false;
 	float length = ( settings->capsuleHalfHeight + settings->traceDistance ) * settings->unitsPerCentimetre;
 	int32_t count = soleRig_GetLegCount( rig );
@@ -134,7 +135,8 @@ static float soleReadOffsets( const soleRig* rig, const soleEffectorSettings* se
     const soleFrame* frame, const soleHit* hits, int32_t hitCount, float offsets[SOLE_MAX_LEGS] )
 {
 	soleVec3 up = soleGetBaselineUp( rig, frame );
-	float actor = soleDot( frame->root.translation, up ) + soleGetActorHeight( settings, state );
+	float root = soleDot( soleGetBaselineRoot( rig, frame ).translation, up );
+	float actor = root + soleGetActorHeight( settings, state );
 	float lowest = 0.0f;
 	for ( int32_t i = 0; i < soleRig_GetLegCount( rig ); ++i )
 	{
@@ -191,26 +193,33 @@ static void soleRunEffectorGraph( const soleRig* rig, const soleEffectorSettings
 
 // ----------------------------------------------------------------------------------------------------------- solve
 
+/// What the character does in its tick.
+static void soleTickEffector( const soleRig* rig, const soleEffectorSettings* settings, soleEffectorState* state,
+    const soleFrame* frame, const soleHit* hits, int32_t hitCount, soleOutput* output )
+{
+	float timeStep = soleGetBaselineTimeStep( frame );
+	if ( soleMovesEffector( state, frame ) )
+	{
+		soleResetEffectors( settings, state, timeStep, output->legCount );
+		return;
+	}
+	float offsets[SOLE_MAX_LEGS];
+	float lowest = soleReadOffsets( rig, settings, state, frame, hits, hitCount, offsets );
+	soleUpdateEffectors( settings, state, timeStep, output->legCount, offsets, lowest );
+	for ( int32_t i = 0; i < output->legCount; ++i )
+	{
+		soleWriteBaselineGround( rig, frame, i < hitCount ? hits + i : NULL, output->legs + i );
+	}
+}
+
 void soleSolveEffector( const soleRig* rig, const soleEffectorSettings* settings, soleEffectorState* state,
     const soleFrame* frame, const soleHit* hits, int32_t hitCount, soleEffectorOutput* effectors, soleOutput* output )
 {
 	soleStartBaselineOutput( rig, frame, output );
-	int32_t legCount = output->legCount;
-	float timeStep = soleGetBaselineTimeStep( frame );
 	bool moves = soleMovesEffector( state, frame );
-	if ( soleRunsEffector( settings, state ) && moves )
+	if ( soleRunsEffector( settings, state ) )
 	{
-		soleResetEffectors( settings, state, timeStep, legCount );
-	}
-	else if ( soleRunsEffector( settings, state ) )
-	{
-		float offsets[SOLE_MAX_LEGS];
-		float lowest = soleReadOffsets( rig, settings, state, frame, hits, hitCount, offsets );
-		soleUpdateEffectors( settings, state, timeStep, legCount, offsets, lowest );
-		for ( int32_t i = 0; i < legCount; ++i )
-		{
-			soleWriteBaselineGround( rig, frame, i < hitCount ? hits + i : NULL, output->legs + i );
-		}
+		soleTickEffector( rig, settings, state, frame, hits, hitCount, output );
 	}
 	state->hasRoot = true;
 	state->root_w = frame->root.translation;
@@ -218,7 +227,7 @@ void soleSolveEffector( const soleRig* rig, const soleEffectorSettings* settings
 	{
 		soleRunEffectorGraph( rig, settings, state, frame, output );
 	}
-	for ( int32_t i = 0; i < legCount; ++i )
+	for ( int32_t i = 0; i < output->legCount; ++i )
 	{
 		output->legs[i].plantWeight = moves ? 0.0f : soleGetBaselineWeight( frame, i );
 	}

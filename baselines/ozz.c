@@ -122,7 +122,8 @@ int32_t soleGatherOzz( const soleRig* rig, const soleOzzSettings* settings, cons
 	{
 		if ( i == 0 )
 		{
-			probes[i] = soleMakeOzzRay( settings, up, frame->root.translation, settings->rootRayHeight, scale );
+			soleVec3 root = soleGetBaselineRoot( rig, frame ).translation;
+			probes[i] = soleMakeOzzRay( settings, up, root, settings->rootRayHeight, scale );
 			probes[i].leg = SOLE_NONE;
 			probes[i].length = settings->autoCharacterHeight ? probes[i].length : 0.0f;
 			continue;
@@ -160,7 +161,8 @@ static const soleHit* soleGetOzzHit( const soleHit* hits, int32_t hitCount, int3
 static void soleMoveOzzRoot( soleOzzWork* work, const soleHit* hit )
 {
 	bool moves = work->settings->autoCharacterHeight && hit != NULL;
-	float height = moves ? soleDot( soleSub( hit->point_w, work->frame->root.translation ), work->up ) : 0.0f;
+	soleVec3 root = soleGetBaselineRoot( work->rig, work->frame ).translation;
+	float height = moves ? soleDot( soleSub( hit->point_w, root ), work->up ) : 0.0f;
 	work->state->rootShift = height * soleGetBaselineWeight( work->frame, SOLE_NONE );
 	work->shift = soleScale( work->state->rootShift, work->up );
 }

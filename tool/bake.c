@@ -53,6 +53,10 @@ static const toolMethod toolMethods[] = {
 	    toolStartHomebrew, toolStepHomebrew },
 	{ "iksetting", "a ray under each foot 50 times a second, the ground's height added to the clip by its curves",
 	    toolStartIkSetting, toolStepIkSetting },
+	{ "ozz", "a ray under each ankle, the pelvis down to the lowest foot, legs bent and ankles aimed at once",
+	    toolStartOzz, toolStepOzz },
+	{ "effector", "a trace under each foot while the character stands, hip and feet brought to their heights",
+	    toolStartEffector, toolStepEffector },
 	{ NULL, NULL, NULL, NULL },
 };
 

@@ -3,16 +3,19 @@
 // do not reach them. Where the walk jumps they start anew, as a host would make them.
 #include "method_ancestors.h"
 
+#include "baselines/effector.h"
 #include "baselines/homebrew.h"
 #include "baselines/iksetting.h"
+#include "baselines/ozz.h"
 
-#define CURVE_RAMP 0.15f // s, of drawn curves
+#define CURVE_RAMP 0.15f                  // s, of drawn curves
+#define MOST_PROBES ( 1 + SOLE_MAX_LEGS ) // one at the root
 
 // What every method has of a frame.
 typedef struct toolAncestorCasts
 {
-	soleProbe probes[SOLE_MAX_LEGS];
-	soleHit hits[SOLE_MAX_LEGS];
+	soleProbe probes[MOST_PROBES];
+	soleHit hits[MOST_PROBES];
 	soleOutput output;
 } toolAncestorCasts;
 
@@ -55,7 +58,7 @@ void toolStepHomebrew( void* user, const toolMethodStep* step )
 		memory->state = soleDefaultHomebrewState( rig );
 	}
 	int32_t count =
-	    soleGatherHomebrew( rig, &memory->settings, &memory->state, step->frame, casts->probes, SOLE_MAX_LEGS );
+	    soleGatherHomebrew( rig, &memory->settings, &memory->state, step->frame, casts->probes, MOST_PROBES );
 	soleCastProbes( step->ground, casts->probes, count, casts->hits );
 	soleSolveHomebrew( rig, &memory->settings, &memory->state, step->frame, casts->hits, count, &casts->output );
 	toolApplyAncestor( casts, step );
@@ -125,9 +128,86 @@ void toolStepIkSetting( void* user, const toolMethodStep* step )
 	};
 	soleIkSettingCurves curves = { drawn, 2 };
 	int32_t count =
-	    soleGatherIkSetting( rig, &memory->settings, &memory->state, step->frame, casts->probes, SOLE_MAX_LEGS );
+	    soleGatherIkSetting( rig, &memory->settings, &memory->state, step->frame, casts->probes, MOST_PROBES );
 	soleCastProbes( step->ground, casts->probes, count, casts->hits );
 	soleSolveIkSetting(
 	    rig, &memory->settings, &memory->state, step->frame, &curves, casts->hits, count, &casts->output );
+	toolApplyAncestor( casts, step );
+}
+
+// ------------------------------------------------------------------------------------------------------------- ozz
+
+typedef struct toolOzzMemory
+{
+	soleOzzSettings settings;
+	soleOzzState state;
+	toolAncestorCasts casts;
+} toolOzzMemory;
+
+void* toolStartOzz( const toolCharacter* character )
+{
+	toolOzzMemory* memory = toolAlloc( 1, sizeof *memory );
+	memory->settings = soleDefaultOzzSettings();
+	soleFitOzzSettings( character->rig, character->bindPose, &memory->settings );
+	memory->state = soleDefaultOzzState( character->rig );
+	return memory;
+}
+
+void toolStepOzz( void* user, const toolMethodStep* step )
+{
+	toolOzzMemory* memory = user;
+	toolAncestorCasts* casts = &memory->casts;
+	const soleRig* rig = step->character->rig;
+	if ( step->frame->teleport )
+	{
+		memory->state = soleDefaultOzzState( rig );
+	}
+	int32_t count = soleGatherOzz( rig, &memory->settings, &memory->state, step->frame, casts->probes, MOST_PROBES );
+	soleCastProbes( step->ground, casts->probes, count, casts->hits );
+	soleSolveOzz( rig, &memory->settings, &memory->state, step->frame, casts->hits, count, &casts->output );
+	toolApplyAncestor( casts, step );
+}
+
+// -------------------------------------------------------------------------------------------------------- effector
+
+typedef struct toolEffectorMemory
+{
+	soleEffectorSettings settings;
+	soleEffectorState state;
+	toolAncestorCasts casts;
+} toolEffectorMemory;
+
+void* toolStartEffector( const toolCharacter* character )
+{
+	toolEffectorMemory* memory = toolAlloc( 1, sizeof *memory );
+	memory->settings = soleDefaultEffectorSettings();
+	soleFitEffectorSettings( character->rig, &memory->settings );
+	memory->state = soleDefaultEffectorState( character->rig );
+	return memory;
+}
+
+/// It switches itself off when it is there, and the game has to switch it on again: here, whenever the root moves, so
+/// that it goes back while moving and looks anew when the character stands.
+static void toolWakeEffector( soleEffectorState* state, const soleFrame* frame )
+{
+	soleVec3 moved = soleSub( frame->root.translation, state->root_w );
+	bool moves = state->hasRoot && soleDot( moved, moved ) > 0.0f;
+	state->usingFootIk = state->usingFootIk || moves;
+}
+
+void toolStepEffector( void* user, const toolMethodStep* step )
+{
+	toolEffectorMemory* memory = user;
+	toolAncestorCasts* casts = &memory->casts;
+	const soleRig* rig = step->character->rig;
+	if ( step->frame->teleport )
+	{
+		memory->state = soleDefaultEffectorState( rig );
+	}
+	toolWakeEffector( &memory->state, step->frame );
+	int32_t count =
+	    soleGatherEffector( rig, &memory->settings, &memory->state, step->frame, casts->probes, MOST_PROBES );
+	soleCastProbes( step->ground, casts->probes, count, casts->hits );
+	soleSolveEffector( rig, &memory->settings, &memory->state, step->frame, casts->hits, count, NULL, &casts->output );
 	toolApplyAncestor( casts, step );
 }

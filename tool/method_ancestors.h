@@ -11,4 +11,10 @@ void toolStepHomebrew( void* memory, const toolMethodStep* step );
 void* toolStartIkSetting( const toolCharacter* character );
 void toolStepIkSetting( void* memory, const toolMethodStep* step );
 
+void* toolStartOzz( const toolCharacter* character );
+void toolStepOzz( void* memory, const toolMethodStep* step );
+
+void* toolStartEffector( const toolCharacter* character );
+void toolStepEffector( void* memory, const toolMethodStep* step );
+
 #endif
