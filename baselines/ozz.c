@@ -157,12 +157,11 @@ static const soleHit* soleGetOzzHit( const soleHit* hits, int32_t hitCount, int3
 	return index < hitCount && hits[index].hit ? hits + index : NULL;
 }
 
-/// The root goes to what its ray has met.
+/// The root goes to what its ray has met. One that was not wanted was not cast.
 static void soleMoveOzzRoot( soleOzzWork* work, const soleHit* hit )
 {
-	bool moves = work->settings->autoCharacterHeight && hit != NULL;
 	soleVec3 root = soleGetBaselineRoot( work->rig, work->frame ).translation;
-	float height = moves ? soleDot( soleSub( hit->point_w, root ), work->up ) : 0.0f;
+	float height = hit != NULL ? soleDot( soleSub( hit->point_w, root ), work->up ) : 0.0f;
 	work->state->rootShift = height * soleGetBaselineWeight( work->frame, SOLE_NONE );
 	work->shift = soleScale( work->state->rootShift, work->up );
 }

@@ -150,6 +150,21 @@ static void test4GroundIsAsHighAsItIsOverTheCapsulesLowerEndAtRest( void** state
 	}
 }
 
+static void test4TheCapsuleStandsOnTheClipsOwnFloor( void** state )
+{
+	(void)state;
+	testEffector test;
+	testStartEffector( &test );
+	test.settings.feetInterpSpeed = 0.0f;
+	test.run.frame.clipFloor = 0.25f;
+	test.run.frame.root.translation.y = -0.35f;
+	testStepEffector( &test );
+	float half = 0.01f * test.settings.capsuleHalfHeight;
+	assert_float_equal( test.probes[0].start_w.y, half - 0.1f, 1e-5f );
+	assert_float_equal( test.effectors.effectors[0], 10.0f, 1e-3f );
+	testEndEffector( &test );
+}
+
 static void test4AMissCountsAsLevelGround( void** state )
 {
 	(void)state;
@@ -202,6 +217,7 @@ static void test7EachFootIsRaisedToItsOwnGround( void** state )
 	(void)state;
 	testEffector test;
 	testStartEffector( &test );
+	test.run.pose[biped_ankleR].rotation = testTurn( soleVec( 0.6f, 0.0f, 0.8f ), 0.5f );
 	test.run.ground.stepX = -0.24f;
 	testSettleEffector( &test );
 	assert_float_equal( test.effectors.effectors[0], 0.0f, 1e-3f );
@@ -423,6 +439,7 @@ int main( void )
 		cmocka_unit_test( test2TheDefaults ),
 		cmocka_unit_test( test4TracesGoDownFromTheCapsulesMiddleAtTheSockets ),
 		cmocka_unit_test( test4GroundIsAsHighAsItIsOverTheCapsulesLowerEndAtRest ),
+		cmocka_unit_test( test4TheCapsuleStandsOnTheClipsOwnFloor ),
 		cmocka_unit_test( test4AMissCountsAsLevelGround ),
 		cmocka_unit_test( test5TheHipIsNeverRaised ),
 		cmocka_unit_test( test6TheCapsuleTakesAThirdOfADropAndTheHipTwo ),
