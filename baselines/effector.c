@@ -203,7 +203,7 @@ static void soleTickEffector( const soleRig* rig, const soleEffectorSettings* se
 		soleResetEffectors( settings, state, timeStep, output->legCount );
 		return;
 	}
-	float offsets[SOLE_MAX_LEGS];
+	float offsets[SOLE_MAX_LEGS] = { 0.0f };
 	float lowest = soleReadOffsets( rig, settings, state, frame, hits, hitCount, offsets );
 	soleUpdateEffectors( settings, state, timeStep, output->legCount, offsets, lowest );
 	for ( int32_t i = 0; i < output->legCount; ++i )

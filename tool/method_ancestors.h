@@ -6,15 +6,15 @@
 #include "bake.h"
 
 void* toolStartHomebrew( const toolCharacter* character );
-void toolStepHomebrew( void* memory, const toolMethodStep* step );
+void toolStepHomebrew( void* user, const toolMethodStep* step );
 
 void* toolStartIkSetting( const toolCharacter* character );
-void toolStepIkSetting( void* memory, const toolMethodStep* step );
+void toolStepIkSetting( void* user, const toolMethodStep* step );
 
 void* toolStartOzz( const toolCharacter* character );
-void toolStepOzz( void* memory, const toolMethodStep* step );
+void toolStepOzz( void* user, const toolMethodStep* step );
 
 void* toolStartEffector( const toolCharacter* character );
-void toolStepEffector( void* memory, const toolMethodStep* step );
+void toolStepEffector( void* user, const toolMethodStep* step );
 
 #endif
