@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Baseline ozz with the sample's own character, clip and floor, against the sample's formulas in double.
+#include "test.h"
+
+#include "biped.h"
 #include "ozz_oracle.h"
 #include "take.h"
 
