@@ -213,6 +213,26 @@ static void testDetachedFeetAreWrittenAsBaked( void** state )
 	testCheckFile( "robot-expressive/robot.glb", NULL, "Robot_Walking", 0.5f, 2e-4 );
 }
 
+static void testAncestorsAreWrittenAsBaked( void** state )
+{
+	(void)state;
+	TEST_NEEDS_DATA( "human-pab-rootmotion/pab_arnaud.glb" );
+	TEST_NEEDS_DATA( "robot-expressive/robot.glb" );
+	const char* methods[] = { "homebrew", "iksetting" };
+	for ( int32_t i = 0; i < 2; ++i )
+	{
+		testTake take;
+		testOpen( &take, "human-pab-rootmotion/pab_arnaud.glb", NULL, "walk", 1.0f );
+		testRun( &take, methods[i] );
+		testWritten( &take, methods[i], 1e-4 );
+		testClose( &take );
+		testOpen( &take, "robot-expressive/robot.glb", NULL, "Robot_Walking", 0.5f ); // detached feet
+		testRun( &take, methods[i] );
+		testWritten( &take, methods[i], 2e-4 );
+		testClose( &take );
+	}
+}
+
 static void testNoneLeavesThePoseAndBothGoTheSameWay( void** state )
 {
 	(void)state;
@@ -346,6 +366,7 @@ int main( void )
 		cmocka_unit_test( testAScaledCharacterIsWrittenAsBaked ),
 		cmocka_unit_test( testAClipOfAnotherFileIsWrittenAsBaked ),
 		cmocka_unit_test( testDetachedFeetAreWrittenAsBaked ),
+		cmocka_unit_test( testAncestorsAreWrittenAsBaked ),
 		cmocka_unit_test( testNoneLeavesThePoseAndBothGoTheSameWay ),
 		cmocka_unit_test( testTheSameFramesAtTwiceTheRateAreTheSameInput ),
 		cmocka_unit_test( testChannelsOutsideTheLegsKeepTheirKeys ),

@@ -3,6 +3,7 @@
 // parent-local, roots take character space to the world of the ground.
 #include "bake.h"
 
+#include "method_ancestors.h"
 #include "steps.h"
 
 #include <math.h>
@@ -50,6 +51,14 @@ static void toolStepSole( void* user, const toolMethodStep* step )
 static const toolMethod toolMethods[] = {
 	{ "sole", "Sole", toolStartSole, toolStepSole },
 	{ "none", "moved over the ground, feet untouched", NULL, NULL },
+	{ "homebrew", "a sphere under each ankle, feet and ground normals filtered, the body down to the lower foot",
+	    toolStartHomebrew, toolStepHomebrew },
+	{ "iksetting", "a ray under each foot 50 times a second, the ground's height added to the clip by its curves",
+	    toolStartIkSetting, toolStepIkSetting },
+	{ "ozz", "a ray under each ankle, the pelvis down to the lowest foot, legs bent and ankles aimed at once",
+	    toolStartOzz, toolStepOzz },
+	{ "effector", "a trace under each foot while the character stands, hip and feet brought to their heights",
+	    toolStartEffector, toolStepEffector },
 	{ NULL, NULL, NULL, NULL },
 };
 

@@ -41,14 +41,24 @@ for file in $( sources tool viewer bindings samples ); do
 	for name in $( includes "$file" ); do
 		folder=$( dirname "$file" )
 		[ -f "include/$name" ] || [ -f "$folder/$name" ] || [ -f "scenarios/$name" ] || [ -f "tool/$name" ] ||
+			[[ $name == baselines/* && -f $name ]] ||
 			complain "$file" "$name" "only include/sole may be used from here"
 	done
 	case $file in
 		samples/* | bindings/*)
 			for name in $( includes "$file" ); do
 				[ ! -f "tool/$name" ] || complain "$file" "$name" "samples and bindings do not use the program"
+				[[ $name != baselines/* ]] || complain "$file" "$name" "samples and bindings do not use the baselines"
 			done ;;
 	esac
+done
+
+# What Sole is compared with is made of what everyone can use.
+for file in $( sources baselines ); do
+	for name in $( includes "$file" ); do
+		[[ -f include/$name || ( $name == baselines/* && -f $name ) ]] ||
+			complain "$file" "$name" "baselines use include/sole and each other's shared part"
+	done
 done
 
 # The folders of src: what each may use beside itself and the public headers.

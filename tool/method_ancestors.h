@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The systems that Sole is compared with, as methods of a bake.
+#ifndef TOOL_METHOD_ANCESTORS_H
+#define TOOL_METHOD_ANCESTORS_H
+
+#include "bake.h"
+
+void* toolStartHomebrew( const toolCharacter* character );
+void toolStepHomebrew( void* user, const toolMethodStep* step );
+
+void* toolStartIkSetting( const toolCharacter* character );
+void toolStepIkSetting( void* user, const toolMethodStep* step );
+
+void* toolStartOzz( const toolCharacter* character );
+void toolStepOzz( void* user, const toolMethodStep* step );
+
+void* toolStartEffector( const toolCharacter* character );
+void toolStepEffector( void* user, const toolMethodStep* step );
+
+#endif
