@@ -32,8 +32,6 @@
 
 #define LOWEST_LAYER 1u
 #define LEAST_SMOOTH_TIME 1e-4f
-#define RADIANS 0.0174532925f // a degree
-#define HUMAN_LEG 0.9f        // for which the lengths among the defaults are meant
 
 // What the first half of a frame finds out about a foot.
 typedef struct soleHomebrewGround
@@ -78,7 +76,7 @@ soleHomebrewSettings soleDefaultHomebrewSettings( void )
 void soleFitHomebrewSettings( const soleRig* rig, soleHomebrewSettings* settings )
 {
 	soleHomebrewSettings human = soleDefaultHomebrewSettings();
-	float size = soleRig_GetLegLength( rig, 0 ) / HUMAN_LEG;
+	float size = soleGetBaselineSize( rig );
 	settings->raySphereRadius = size * human.raySphereRadius;
 	settings->ankleHeightOffset = soleGetBaselineAnkleHeight( rig, 0 ) - settings->raySphereRadius;
 	settings->lengthFromHeelToToes = soleGetBaselineSoleLength( rig, 0 );
@@ -101,11 +99,6 @@ soleHomebrewState soleDefaultHomebrewState( const soleRig* rig )
 	return state;
 }
 
-static bool soleIsRightFoot( const soleRig* rig, int32_t leg )
-{
-	return soleRig_GetLeg( rig, leg ).side == sole_right;
-}
-
 int32_t soleGatherHomebrew( const soleRig* rig, const soleHomebrewSettings* settings, const soleHomebrewState* state,
     const soleFrame* frame, soleProbe* probes, int32_t capacity )
 {
@@ -115,8 +108,8 @@ int32_t soleGatherHomebrew( const soleRig* rig, const soleHomebrewSettings* sett
 	for ( int32_t i = 0; i < count; ++i )
 	{
 		soleVec3 ankle = soleGetShownFoot( rig, frame, &state->shown, i ).ankle_w;
-		float over =
-		    soleIsRightFoot( rig, i ) ? settings->rightFootRaycastStartHeight : settings->leftFootRaycastStartHeight;
+		float over = soleIsRightBaselineLeg( rig, i ) ? settings->rightFootRaycastStartHeight
+		                                              : settings->leftFootRaycastStartHeight;
 		probes[i] = ( soleProbe ){
 			.start_w = soleMulAdd( ankle, over, up ),
 			.direction_w = soleNeg( up ),
@@ -215,7 +208,7 @@ static bool soleUpdateFoot( const soleHomebrewWork* work, const soleHomebrewStat
 /// The filtered normal, no further from the root's up than may be.
 static soleVec3 soleLimitNormal( const soleHomebrewWork* work, soleVec3 rootUp, soleVec3 normal )
 {
-	float angle = RADIANS * work->settings->maxRotationAngle;
+	float angle = SOLE_BASELINE_DEGREE * work->settings->maxRotationAngle;
 	soleVec3 n = soleNormalizeOr( normal, rootUp );
 	if ( soleDot( n, rootUp ) >= cosf( angle ) )
 	{
@@ -241,7 +234,7 @@ static soleQuat soleTurnFoot( const soleHomebrewWork* work, const soleHomebrewFo
 static float soleGetFootWeight( const soleHomebrewWork* work, int32_t leg )
 {
 	const soleHomebrewSettings* settings = work->settings;
-	float side = soleIsRightFoot( work->rig, leg ) ? settings->rightFootWeight : settings->leftFootWeight;
+	float side = soleIsRightBaselineLeg( work->rig, leg ) ? settings->rightFootWeight : settings->leftFootWeight;
 	float weight = soleClampF( settings->globalWeight * side, 0.0f, 1.0f );
 	return weight * soleGetBaselineWeight( work->frame, leg );
 }
@@ -268,9 +261,7 @@ static void soleApplyFoot( const soleHomebrewWork* work, soleHomebrewFoot* foot,
 		.ankle_w = soleLerp( soleAdd( animated.ankle_w, bodyOffset ), goal, weight ),
 		.foot_w = soleNlerp( animated.foot_w.rotation, turned, weight ),
 	};
-	soleTwoBoneDef def = soleMakeBaselineTwoBone( &animated, &wanted );
-	soleTwoBoneResult bent = soleSolveTwoBone( &def );
-	soleBaselineGoal placed = soleWriteBaselineLeg( work->rig, work->frame, &animated, &wanted, &bent, output );
+	soleBaselineGoal placed = solePlaceBaselineLeg( work->rig, work->frame, &animated, &wanted, output );
 	soleKeepShownFoot( work->frame, &placed, leg, shown );
 }
 

@@ -34,11 +34,8 @@ static void place( ancestorRun* run, const soleBaselineGoal goals[2] )
 	for ( int32_t i = 0; i < run->out.legCount; ++i )
 	{
 		soleBaselineLeg leg = soleReadBaselineLeg( run->biped.rig, &run->frame, i );
-		soleTwoBoneDef def = soleMakeBaselineTwoBone( &leg, goals + i );
-		soleTwoBoneResult bent = soleSolveTwoBone( &def );
-		soleBaselineGoal foot =
-		    soleWriteBaselineLeg( run->biped.rig, &run->frame, &leg, goals + i, &bent, run->out.legs + i );
-		assert_true( soleDistance( foot.ankle_w, bent.ankle ) == 0.0f );
+		soleBaselineGoal foot = solePlaceBaselineLeg( run->biped.rig, &run->frame, &leg, goals + i, run->out.legs + i );
+		testNear3( foot.ankle_w, goals[i].ankle_w, 1e-5f );
 	}
 	soleWriteBaselinePelvis( run->biped.rig, &run->frame, goals[0].pelvisOffset_w, &run->out );
 	ancestorApply( run );
