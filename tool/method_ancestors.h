@@ -6,9 +6,9 @@
 #include "bake.h"
 
 void* toolStartHomebrew( const toolCharacter* character );
-void toolStepHomebrew( void* memory, const toolMethodStep* step );
+void toolStepHomebrew( void* user, const toolMethodStep* step );
 
 void* toolStartIkSetting( const toolCharacter* character );
-void toolStepIkSetting( void* memory, const toolMethodStep* step );
+void toolStepIkSetting( void* user, const toolMethodStep* step );
 
 #endif
