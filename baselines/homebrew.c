@@ -12,7 +12,9 @@
 //         cosines: both angles are known as such, and theta - phi is between -180 and 90 degrees, where it is positive
 //         exactly when its sine is.
 //   y*    ground + r + a + rise + offset: the ankle stands for the middle of the resting sphere. Where the animated
-//         height is over that by the floor range or more, the animated height is wanted instead.
+//         height is over that by the floor range or more, the animated height is wanted instead. That is the height
+//         as carried by the body, else a foot that stands lower than the root would count as lifted, and a weight would
+//         change something of a lifted foot, both of which the description denies.
 // Spring, with time constant T ("smooth damp"), w = 2 / T, x = w dt, E = 1 / ( 1 + x + 0.48 x^2 + 0.235 x^3 ), an
 // approximation of exp( -x ):  c = h - y*,  t = ( v + w c ) dt,  v <- ( v - w t ) E,  h <- y* + ( c + t ) E.
 // It depends on the frame rate a little, and goes on running while its target jumps.
@@ -198,8 +200,8 @@ static bool soleUpdateFoot( const soleHomebrewWork* work, const soleHomebrewStat
 	float rise = soleFindRise( work, soleRotate( shown, foot->startForward ), ground.normal );
 	float height = ground.height + settings->raySphereRadius + settings->ankleHeightOffset + rise;
 	height += settings->enableWorldHeightOffset ? settings->worldHeightOffset : 0.0f;
-	bool lifted = settings->enableFootLifting && foot->animatedHeight - height >= settings->floorRange;
-	soleFilterFoot( work, state->started, lifted ? foot->animatedHeight : height, ground.normal, foot );
+	bool lifted = settings->enableFootLifting && foot->carriedHeight - height >= settings->floorRange;
+	soleFilterFoot( work, state->started, lifted ? foot->carriedHeight : height, ground.normal, foot );
 	return lifted;
 }
 
@@ -252,9 +254,10 @@ static void soleApplyFoot( const soleHomebrewWork* work, soleHomebrewFoot* foot,
     soleShownFeet* shown, soleLegOutput* output )
 {
 	soleBaselineLeg animated = soleReadBaselineLeg( work->rig, work->frame, leg );
-	foot->animatedHeight = soleDot( animated.ankle_w, work->up );
+	float animatedHeight = soleDot( animated.ankle_w, work->up );
+	foot->carriedHeight = animatedHeight + soleDot( bodyOffset, work->up );
 	float weight = soleGetFootWeight( work, leg );
-	soleVec3 goal = soleMulAdd( animated.ankle_w, foot->height - foot->animatedHeight, work->up );
+	soleVec3 goal = soleMulAdd( animated.ankle_w, foot->height - animatedHeight, work->up );
 	soleQuat turned = soleTurnFoot( work, foot, animated.foot_w.rotation );
 	soleBaselineGoal wanted = {
 		.pelvisOffset_w = bodyOffset,
@@ -280,7 +283,7 @@ void soleSolveHomebrew( const soleRig* rig, const soleHomebrewSettings* settings
 		soleHomebrewFoot* foot = state->feet + i;
 		if ( state->started == false )
 		{
-			foot->animatedHeight = soleDot( soleReadBaselineLeg( rig, frame, i ).ankle_w, work.up );
+			foot->carriedHeight = soleDot( soleReadBaselineLeg( rig, frame, i ).ankle_w, work.up );
 		}
 		soleHomebrewGround ground = soleReadGround( &work, hit );
 		bool lifted = soleUpdateFoot( &work, state, i, ground, foot );
