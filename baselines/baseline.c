@@ -11,6 +11,8 @@
 
 #include <string.h>
 
+#define HUMAN_LEG 0.9f // hip to ankle, m
+
 soleTransform soleGetBaselineRoot( const soleRig* rig, const soleFrame* frame )
 {
 	soleTransform root = frame->root;
@@ -121,6 +123,16 @@ soleVec3 soleGetBaselineFootAxis( const soleRig* rig, int32_t leg, soleVec3 dire
 	soleVec3 from = soleRig_ToFootSpace( rig, leg, ball, false );
 	soleVec3 to = soleRig_ToFootSpace( rig, leg, soleAdd( ball, direction ), false );
 	return soleNormalizeOr( soleSub( to, from ), direction );
+}
+
+bool soleIsRightBaselineLeg( const soleRig* rig, int32_t leg )
+{
+	return soleRig_GetLeg( rig, leg ).side == sole_right;
+}
+
+float soleGetBaselineSize( const soleRig* rig )
+{
+	return soleRig_GetLegLength( rig, 0 ) / HUMAN_LEG;
 }
 
 float soleGetBaselineAnkleHeight( const soleRig* rig, int32_t leg )
@@ -267,6 +279,14 @@ soleBaselineGoal soleWriteBaselineLeg( const soleRig* rig, const soleFrame* fram
 	output->error = soleDistance( bent->ankle, goal->ankle_w );
 	output->extension = leg->length > 0.0f ? soleDistance( hip_w, bent->ankle ) / leg->length : 0.0f;
 	return foot;
+}
+
+soleBaselineGoal solePlaceBaselineLeg( const soleRig* rig, const soleFrame* frame, const soleBaselineLeg* leg,
+    const soleBaselineGoal* goal, soleLegOutput* output )
+{
+	soleTwoBoneDef def = soleMakeBaselineTwoBone( leg, goal );
+	soleTwoBoneResult bent = soleSolveTwoBone( &def );
+	return soleWriteBaselineLeg( rig, frame, leg, goal, &bent, output );
 }
 
 void soleWriteBaselineGround(

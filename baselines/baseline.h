@@ -10,6 +10,8 @@
 
 #include "sole/sole.h"
 
+#define SOLE_BASELINE_DEGREE 0.0174532925f // in radians
+
 /// A leg of the animated pose.
 typedef struct soleBaselineLeg
 {
@@ -55,6 +57,10 @@ float soleGetBaselineTimeStep( const soleFrame* frame );
 
 /// A direction of the bind pose, character space, in the space of the joint that carries the sole. Unit.
 soleVec3 soleGetBaselineFootAxis( const soleRig* rig, int32_t leg, soleVec3 direction );
+/// Right legs have settings of their own where a system knows two feet; all others are left ones to it.
+bool soleIsRightBaselineLeg( const soleRig* rig, int32_t leg );
+/// How large the character is against the human for whom such systems' default lengths are meant.
+float soleGetBaselineSize( const soleRig* rig );
 /// Height of the joint that carries the sole over the sole, and length of the sole from heel to toe tip: bind pose,
 /// character space.
 float soleGetBaselineAnkleHeight( const soleRig* rig, int32_t leg );
@@ -74,6 +80,9 @@ soleTwoBoneDef soleMakeBaselineTwoBone( const soleBaselineLeg* leg, const soleBa
 /// Writes one leg: joints, foot, where it came to be. @return the foot as it will be shown
 soleBaselineGoal soleWriteBaselineLeg( const soleRig* rig, const soleFrame* frame, const soleBaselineLeg* leg,
     const soleBaselineGoal* goal, const soleTwoBoneResult* bent, soleLegOutput* output );
+/// All three in one for systems that bend plainly.
+soleBaselineGoal solePlaceBaselineLeg( const soleRig* rig, const soleFrame* frame, const soleBaselineLeg* leg,
+    const soleBaselineGoal* goal, soleLegOutput* output );
 /// Tells in the output what was met under a leg.
 void soleWriteBaselineGround(
     const soleRig* rig, const soleFrame* frame, const soleHit* hitOrNull, soleLegOutput* output );

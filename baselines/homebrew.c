@@ -12,7 +12,9 @@
 //         cosines: both angles are known as such, and theta - phi is between -180 and 90 degrees, where it is positive
 //         exactly when its sine is.
 //   y*    ground + r + a + rise + offset: the ankle stands for the middle of the resting sphere. Where the animated
-//         height is over that by the floor range or more, the animated height is wanted instead.
+//         height is over that by the floor range or more, the animated height is wanted instead. That is the height
+//         as carried by the body, else a foot that stands lower than the root would count as lifted, and a weight would
+//         change something of a lifted foot, both of which the description denies.
 // Spring, with time constant T ("smooth damp"), w = 2 / T, x = w dt, E = 1 / ( 1 + x + 0.48 x^2 + 0.235 x^3 ), an
 // approximation of exp( -x ):  c = h - y*,  t = ( v + w c ) dt,  v <- ( v - w t ) E,  h <- y* + ( c + t ) E.
 // It depends on the frame rate a little, and goes on running while its target jumps.
@@ -32,8 +34,6 @@
 
 #define LOWEST_LAYER 1u
 #define LEAST_SMOOTH_TIME 1e-4f
-#define RADIANS 0.0174532925f // a degree
-#define HUMAN_LEG 0.9f        // for which the lengths among the defaults are meant
 
 // What the first half of a frame finds out about a foot.
 typedef struct soleHomebrewGround
@@ -78,7 +78,7 @@ soleHomebrewSettings soleDefaultHomebrewSettings( void )
 void soleFitHomebrewSettings( const soleRig* rig, soleHomebrewSettings* settings )
 {
 	soleHomebrewSettings human = soleDefaultHomebrewSettings();
-	float size = soleRig_GetLegLength( rig, 0 ) / HUMAN_LEG;
+	float size = soleGetBaselineSize( rig );
 	settings->raySphereRadius = size * human.raySphereRadius;
 	settings->ankleHeightOffset = soleGetBaselineAnkleHeight( rig, 0 ) - settings->raySphereRadius;
 	settings->lengthFromHeelToToes = soleGetBaselineSoleLength( rig, 0 );
@@ -101,11 +101,6 @@ soleHomebrewState soleDefaultHomebrewState( const soleRig* rig )
 	return state;
 }
 
-static bool soleIsRightFoot( const soleRig* rig, int32_t leg )
-{
-	return soleRig_GetLeg( rig, leg ).side == sole_right;
-}
-
 int32_t soleGatherHomebrew( const soleRig* rig, const soleHomebrewSettings* settings, const soleHomebrewState* state,
     const soleFrame* frame, soleProbe* probes, int32_t capacity )
 {
@@ -115,8 +110,8 @@ int32_t soleGatherHomebrew( const soleRig* rig, const soleHomebrewSettings* sett
 	for ( int32_t i = 0; i < count; ++i )
 	{
 		soleVec3 ankle = soleGetShownFoot( rig, frame, &state->shown, i ).ankle_w;
-		float over =
-		    soleIsRightFoot( rig, i ) ? settings->rightFootRaycastStartHeight : settings->leftFootRaycastStartHeight;
+		float over = soleIsRightBaselineLeg( rig, i ) ? settings->rightFootRaycastStartHeight
+		                                              : settings->leftFootRaycastStartHeight;
 		probes[i] = ( soleProbe ){
 			.start_w = soleMulAdd( ankle, over, up ),
 			.direction_w = soleNeg( up ),
@@ -205,8 +200,8 @@ static bool soleUpdateFoot( const soleHomebrewWork* work, const soleHomebrewStat
 	float rise = soleFindRise( work, soleRotate( shown, foot->startForward ), ground.normal );
 	float height = ground.height + settings->raySphereRadius + settings->ankleHeightOffset + rise;
 	height += settings->enableWorldHeightOffset ? settings->worldHeightOffset : 0.0f;
-	bool lifted = settings->enableFootLifting && foot->animatedHeight - height >= settings->floorRange;
-	soleFilterFoot( work, state->started, lifted ? foot->animatedHeight : height, ground.normal, foot );
+	bool lifted = settings->enableFootLifting && foot->carriedHeight - height >= settings->floorRange;
+	soleFilterFoot( work, state->started, lifted ? foot->carriedHeight : height, ground.normal, foot );
 	return lifted;
 }
 
@@ -215,7 +210,7 @@ static bool soleUpdateFoot( const soleHomebrewWork* work, const soleHomebrewStat
 /// The filtered normal, no further from the root's up than may be.
 static soleVec3 soleLimitNormal( const soleHomebrewWork* work, soleVec3 rootUp, soleVec3 normal )
 {
-	float angle = RADIANS * work->settings->maxRotationAngle;
+	float angle = SOLE_BASELINE_DEGREE * work->settings->maxRotationAngle;
 	soleVec3 n = soleNormalizeOr( normal, rootUp );
 	if ( soleDot( n, rootUp ) >= cosf( angle ) )
 	{
@@ -241,7 +236,7 @@ static soleQuat soleTurnFoot( const soleHomebrewWork* work, const soleHomebrewFo
 static float soleGetFootWeight( const soleHomebrewWork* work, int32_t leg )
 {
 	const soleHomebrewSettings* settings = work->settings;
-	float side = soleIsRightFoot( work->rig, leg ) ? settings->rightFootWeight : settings->leftFootWeight;
+	float side = soleIsRightBaselineLeg( work->rig, leg ) ? settings->rightFootWeight : settings->leftFootWeight;
 	float weight = soleClampF( settings->globalWeight * side, 0.0f, 1.0f );
 	return weight * soleGetBaselineWeight( work->frame, leg );
 }
@@ -259,18 +254,17 @@ static void soleApplyFoot( const soleHomebrewWork* work, soleHomebrewFoot* foot,
     soleShownFeet* shown, soleLegOutput* output )
 {
 	soleBaselineLeg animated = soleReadBaselineLeg( work->rig, work->frame, leg );
-	foot->animatedHeight = soleDot( animated.ankle_w, work->up );
+	float animatedHeight = soleDot( animated.ankle_w, work->up );
+	foot->carriedHeight = animatedHeight + soleDot( bodyOffset, work->up );
 	float weight = soleGetFootWeight( work, leg );
-	soleVec3 goal = soleMulAdd( animated.ankle_w, foot->height - foot->animatedHeight, work->up );
+	soleVec3 goal = soleMulAdd( animated.ankle_w, foot->height - animatedHeight, work->up );
 	soleQuat turned = soleTurnFoot( work, foot, animated.foot_w.rotation );
 	soleBaselineGoal wanted = {
 		.pelvisOffset_w = bodyOffset,
 		.ankle_w = soleLerp( soleAdd( animated.ankle_w, bodyOffset ), goal, weight ),
 		.foot_w = soleNlerp( animated.foot_w.rotation, turned, weight ),
 	};
-	soleTwoBoneDef def = soleMakeBaselineTwoBone( &animated, &wanted );
-	soleTwoBoneResult bent = soleSolveTwoBone( &def );
-	soleBaselineGoal placed = soleWriteBaselineLeg( work->rig, work->frame, &animated, &wanted, &bent, output );
+	soleBaselineGoal placed = solePlaceBaselineLeg( work->rig, work->frame, &animated, &wanted, output );
 	soleKeepShownFoot( work->frame, &placed, leg, shown );
 }
 
@@ -289,7 +283,7 @@ void soleSolveHomebrew( const soleRig* rig, const soleHomebrewSettings* settings
 		soleHomebrewFoot* foot = state->feet + i;
 		if ( state->started == false )
 		{
-			foot->animatedHeight = soleDot( soleReadBaselineLeg( rig, frame, i ).ankle_w, work.up );
+			foot->carriedHeight = soleDot( soleReadBaselineLeg( rig, frame, i ).ankle_w, work.up );
 		}
 		soleHomebrewGround ground = soleReadGround( &work, hit );
 		bool lifted = soleUpdateFoot( &work, state, i, ground, foot );

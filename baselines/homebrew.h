@@ -42,7 +42,7 @@ typedef struct soleHomebrewSettings
 typedef struct soleHomebrewFoot
 {
 	soleVec3 startForward; // the root's forward at the start, in the space of the foot's joint
-	float animatedHeight;  // of the ankle, as the last callback saw it
+	float carriedHeight;   // of the animated ankle moved with the body, as the last callback saw it
 	float height;          // filtered, and its speed
 	float heightVelocity;
 	soleVec3 normal; // filtered, any length, and its speed

@@ -23,9 +23,6 @@
 
 #include <string.h>
 
-#define RADIANS 0.0174532925f // a degree
-#define HUMAN_LEG 0.9f        // for which the lengths among the defaults are meant
-
 // What all legs share in a frame.
 typedef struct soleIkSettingWork
 {
@@ -54,7 +51,7 @@ soleIkSettingSettings soleDefaultIkSettingSettings( void )
 void soleFitIkSettingSettings( const soleRig* rig, soleIkSettingSettings* settings )
 {
 	soleIkSettingSettings human = soleDefaultIkSettingSettings();
-	float size = soleRig_GetLegLength( rig, 0 ) / HUMAN_LEG;
+	float size = soleGetBaselineSize( rig );
 	settings->heightFromGroundRaycast = size * human.heightFromGroundRaycast;
 	settings->raycastDownDistance = size * human.raycastDownDistance;
 }
@@ -82,11 +79,6 @@ soleIkSettingState soleDefaultIkSettingState( const soleRig* rig )
 		state.feet[i].goalRotation = soleQuat_Identity();
 	}
 	return state;
-}
-
-static bool soleIsRightFoot( const soleRig* rig, int32_t leg )
-{
-	return soleRig_GetLeg( rig, leg ).side == sole_right;
 }
 
 static bool soleIsZero( soleVec3 v )
@@ -138,8 +130,9 @@ static void soleTakeGround(
 		return;
 	}
 	foot->goalPosition = soleMulAdd( hitOrNull->point_w, settings->pelvisOffset, work->up );
-	bool right = soleIsRightFoot( work->rig, leg );
-	float half = 0.5f * RADIANS * ( right ? settings->rightFootAngleOffset : settings->leftFootAngleOffset );
+	bool right = soleIsRightBaselineLeg( work->rig, leg );
+	float half =
+	    0.5f * SOLE_BASELINE_DEGREE * ( right ? settings->rightFootAngleOffset : settings->leftFootAngleOffset );
 	soleVec3 axis = soleScale( sinf( half ), work->up );
 	soleQuat offset = { axis.x, axis.y, axis.z, cosf( half ) };
 	soleVec3 forward = soleRotate( work->root.rotation, soleRig_GetForward( work->rig ) );
@@ -193,7 +186,7 @@ static soleVec3 soleMoveBody( const soleIkSettingWork* work, soleIkSettingState*
 static float soleReadCurve( const soleIkSettingWork* work, int32_t leg )
 {
 	const soleIkSettingSettings* settings = work->settings;
-	bool right = soleIsRightFoot( work->rig, leg );
+	bool right = soleIsRightBaselineLeg( work->rig, leg );
 	const char* name = right ? settings->rightFootAnimVariableName : settings->leftFootAnimVariableName;
 	for ( int32_t i = 0; i < work->curves->count; ++i )
 	{
@@ -235,9 +228,7 @@ static void soleApplyFoot(
 		.ankle_w = soleLerp( soleAdd( animated.ankle_w, bodyOffset ), goal, weight ),
 		.foot_w = soleNlerp( animated.foot_w.rotation, turned, turnWeight ),
 	};
-	soleTwoBoneDef def = soleMakeBaselineTwoBone( &animated, &wanted );
-	soleTwoBoneResult bent = soleSolveTwoBone( &def );
-	soleBaselineGoal placed = soleWriteBaselineLeg( work->rig, work->frame, &animated, &wanted, &bent, output );
+	soleBaselineGoal placed = solePlaceBaselineLeg( work->rig, work->frame, &animated, &wanted, output );
 	soleKeepShownFoot( work->frame, &placed, leg, &state->shown );
 	output->plantWeight = weight;
 }

@@ -28,17 +28,14 @@ static void randomPose( ancestorRun* run )
 	run->frame.root = ( soleTransform ){ randomVec( 5.0f ), randomTurn( 1.0f ), { 1.7f, 1.7f, 1.7f } };
 }
 
-static void place( ancestorRun* run, const soleBaselineGoal goals[2] )
+/// @param feet as the calls say they will be
+static void place( ancestorRun* run, const soleBaselineGoal goals[2], soleBaselineGoal feet[2] )
 {
 	soleStartBaselineOutput( run->biped.rig, &run->frame, &run->out );
 	for ( int32_t i = 0; i < run->out.legCount; ++i )
 	{
 		soleBaselineLeg leg = soleReadBaselineLeg( run->biped.rig, &run->frame, i );
-		soleTwoBoneDef def = soleMakeBaselineTwoBone( &leg, goals + i );
-		soleTwoBoneResult bent = soleSolveTwoBone( &def );
-		soleBaselineGoal foot =
-		    soleWriteBaselineLeg( run->biped.rig, &run->frame, &leg, goals + i, &bent, run->out.legs + i );
-		assert_true( soleDistance( foot.ankle_w, bent.ankle ) == 0.0f );
+		feet[i] = solePlaceBaselineLeg( run->biped.rig, &run->frame, &leg, goals + i, run->out.legs + i );
 	}
 	soleWriteBaselinePelvis( run->biped.rig, &run->frame, goals[0].pelvisOffset_w, &run->out );
 	ancestorApply( run );
@@ -77,7 +74,8 @@ static void checkPlacing( ancestorRun* run, const int32_t footJoints[2], bool fo
 		soleBaselineGoal goals[2] = { nearGoal( run, 0, offset ), nearGoal( run, 1, offset ) };
 		soleBaselineLeg before[2] = { soleReadBaselineLeg( run->biped.rig, &run->frame, 0 ),
 			soleReadBaselineLeg( run->biped.rig, &run->frame, 1 ) };
-		place( run, goals );
+		soleBaselineGoal feet[2];
+		place( run, goals, feet );
 		soleVec3 animated = ancestorAnimated( run, biped_pelvis ).translation;
 		testNear3( ancestorPlaced( run, biped_pelvis ).translation, soleAdd( animated, offset ), 1e-5f );
 		soleFrame placed = run->frame;
@@ -86,6 +84,8 @@ static void checkPlacing( ancestorRun* run, const int32_t footJoints[2], bool fo
 		{
 			soleBaselineLeg after = soleReadBaselineLeg( run->biped.rig, &placed, i );
 			testNear3( after.ankle_w, goals[i].ankle_w, 1e-5f );
+			testNear3( feet[i].ankle_w, after.ankle_w, 1e-5f );
+			assert_true( soleLength( ancestorTurn( after.foot_w.rotation, feet[i].foot_w ) ) < 1e-4f );
 			assert_float_equal( after.length, before[i].length, 1e-5f );
 			soleQuat turned = ancestorPlaced( run, footJoints[i] ).rotation;
 			bool there = soleLength( ancestorTurn( goals[i].foot_w, turned ) ) < 1e-4f;
@@ -134,7 +134,8 @@ static void jointsBetweenKneeAndEndAreCarriedAlong( void** state )
 	const int32_t feet[] = { biped_toeL, biped_toeR };
 	checkPlacing( &run, feet, true );
 	soleBaselineGoal goals[2] = { nearGoal( &run, 0, randomVec( 0.1f ) ), nearGoal( &run, 1, randomVec( 0.1f ) ) };
-	place( &run, goals );
+	soleBaselineGoal placed[2];
+	place( &run, goals, placed );
 	assert_memory_equal( run.placed + biped_ankleL, run.pose + biped_ankleL, sizeof run.pose[0] );
 	ancestorEnd( &run );
 }

@@ -304,6 +304,22 @@ static void weightsChangeNothingWhileAFootIsLifted_12( void** state )
 	}
 }
 
+/// A foot on a lower step is not taken for lifted as long as the body follows it.
+static void aFootOnALowerStepStands_12_19( void** state )
+{
+	(void)state;
+	for ( int32_t follows = 0; follows < 2; ++follows )
+	{
+		start( ancestorStep( 0.0f, -0.15f ) );
+		run.settings.enableBodyPositioning = follows == 1;
+		steps( 90 );
+		assert_float_equal( placedHeight( 1 ), (float)ANKLE, 1e-4f );
+		float left = follows == 1 ? -0.15f + (float)ANKLE : animatedHeight( 0 );
+		assert_float_equal( placedHeight( 0 ), left, 1e-4f );
+		ancestorEnd( &run.base );
+	}
+}
+
 static void lettingGoIsSmoothAndTheFootGoesOnTurning_12( void** state )
 {
 	(void)state;
@@ -348,6 +364,7 @@ int main( void )
 		cmocka_unit_test( aFootThatIsRaisedByTheFloorRangeIsLetGo_12 ),
 		cmocka_unit_test( withoutTheSwitchAFootIsAlwaysPutDown_12 ),
 		cmocka_unit_test( weightsChangeNothingWhileAFootIsLifted_12 ),
+		cmocka_unit_test( aFootOnALowerStepStands_12_19 ),
 		cmocka_unit_test( lettingGoIsSmoothAndTheFootGoesOnTurning_12 ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );

@@ -137,10 +137,11 @@ static void betweenCastsTheOldGroundCounts_4_11( void** state )
 	steps( 100 );
 	assert_float_equal( raise( 0 ), 0.05f, 1e-4f );
 	ancestorSetGround( &run.base, level( 0.0f ) );
-	while ( run.base.probeCount == 0 )
+	for ( int32_t i = 0; i < 5 && run.base.probeCount == 0; ++i )
 	{
 		step();
 	}
+	assert_int_equal( run.base.probeCount, 2 );
 	for ( int32_t i = 0; i < 3; ++i )
 	{
 		ancestorSetGround( &run.base, level( 0.1f + 0.01f * (float)i ) );
@@ -421,8 +422,9 @@ static void howTheFootsJointStandsDropsOut_6( void** state )
 	soleQuat bind =
 	    testJoint( &run.base.biped, run.base.biped.bindPose, soleTransform_Identity(), biped_ankleL ).rotation;
 	soleQuat placed = ancestorPlaced( &run.base, biped_ankleL ).rotation;
-	soleVec3 up = soleRotate( placed, soleInvRotate( bind, soleVec( 0.0f, 1.0f, 0.0f ) ) );
-	testNear3( up, soleNormalizeOr( soleVec( 0.1f, 1.0f, -0.2f ), up ), 1e-5f );
+	soleVec3 y = soleVec( 0.0f, 1.0f, 0.0f );
+	soleQuat slope = soleFromTo( y, soleNormalizeOr( soleVec( 0.1f, 1.0f, -0.2f ), y ), y );
+	assert_true( soleLength( ancestorTurn( soleMulQuat( slope, bind ), placed ) ) < 1e-4f );
 	ancestorEnd( &run.base );
 }
 
