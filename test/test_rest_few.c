@@ -196,6 +196,19 @@ static void toesFollowTheGroundAheadOfTheBall( void** state )
 	}
 }
 
+static void toesTiltASoleThatHasLittleElseToStandOn( void** state )
+{
+	(void)state;
+	static testSole s;
+	testStartSole( &s, true );
+	testAddSample( &s, REST_HEEL, 0.0f, 0.0f );
+	testAddSample( &s, 0.05f, 0.03f, 0.03f );
+	testAddSample( &s, 0.05f, -0.03f, 0.03f );
+	soleRest r = testRest( &s );
+	testNearPlane( &s, &r, 0.125f * ( REST_LOAD - REST_HEEL ), 0.125f, 0.0f );
+	testEndSole( &s );
+}
+
 static void toesClearTheHighestOfWhatIsAhead( void** state )
 {
 	(void)state;
@@ -246,6 +259,7 @@ int main( void )
 		cmocka_unit_test( aLineCountsTheMiddleOnly ),
 		cmocka_unit_test( knownIsASoleWhoseEndsWereAskedFor ),
 		cmocka_unit_test( toesFollowTheGroundAheadOfTheBall ),
+		cmocka_unit_test( toesTiltASoleThatHasLittleElseToStandOn ),
 		cmocka_unit_test( toesClearTheHighestOfWhatIsAhead ),
 		cmocka_unit_test( theSurfaceIsThatOfTheHighestPlace ),
 	};
