@@ -352,6 +352,54 @@ static void whereThereIsNoGroundAheadTheWalkGoesOnAsAnimated( void** state )
 	}
 }
 
+static void aMomentWithoutAnswersMovesNothing( void** state )
+{
+	(void)state;
+	static testRun run;
+	for ( int32_t k = 0; k < 2; ++k )
+	{
+		testStartRun( &run, 0.8f );
+		run.ground.slopeX = 0.1f;
+		run.ground.stepX = 0.1f;
+		testStepSeconds( &run, 1.0f );
+		soleTransform before[biped_count], last[biped_count];
+		memcpy( before, run.placed, sizeof before );
+		run.ground.hole = -10.0f;
+		for ( int32_t i = 0; i < ( k == 0 ? 5 : 60 ); ++i )
+		{
+			memcpy( last, run.placed, sizeof last );
+			testStepRun( &run );
+			bool planted = ( run.out.legs[0].flags & sole_legPlanted ) != 0;
+			// For a tenth of a second, that is; then the foot lets go, but does not drop.
+			assert_true( planted == ( i < 5 ) );
+			assert_true(
+			    planted == false || testLargestTurn( run.placed, before ) < ( TEST_OPEN ? 1e-4f : 2e-2f ) ); // F11
+			assert_true( testLargestMove( &run.biped, run.placed, last ) < ( TEST_OPEN ? 0.025f : 0.05f ) );
+		}
+		testEndRun( &run );
+	}
+}
+
+static void aLandingThatIsSeenLateDoesNotShakeTheBody( void** state )
+{
+	(void)state;
+	static Walker w;
+	startStairs( &w, 1.0f );
+	float last = 0.0f;
+	for ( int32_t i = 0; i < 300; ++i )
+	{
+		// A foot sees the upper stairs only in the second half of its flight.
+		float left = phaseOf( &w, 0 ), right = phaseOf( &w, 1 );
+		bool early = ( left > 0.55f && left < 0.8f ) || ( right > 0.55f && right < 0.8f );
+		w.run.ground.hole = w.walk.speed * w.time + ( early ? 0.35f : 10.0f );
+		stepOn( &w );
+		float height = w.run.out.pelvisOffset_w.y + w.run.frame.root.translation.y;
+		assert_true( w.time < 2.0f || fabsf( height - last ) < 0.016f );
+		last = height;
+	}
+	testEndRun( &w.run );
+}
+
 // --------------------------------------------------------------------------------------------------------- learning
 
 static void aGaitThatIsNotToldIsLearntFromItsSteps( void** state )
@@ -393,6 +441,8 @@ int main( void )
 		cmocka_unit_test( aFootIsLiftedOverWhatLiesInItsWay ),
 		cmocka_unit_test( onFlatGroundNoFootIsLifted ),
 		cmocka_unit_test( whereThereIsNoGroundAheadTheWalkGoesOnAsAnimated ),
+		cmocka_unit_test( aMomentWithoutAnswersMovesNothing ),
+		cmocka_unit_test( aLandingThatIsSeenLateDoesNotShakeTheBody ),
 		cmocka_unit_test( aGaitThatIsNotToldIsLearntFromItsSteps ),
 #if TEST_OPEN
 		cmocka_unit_test( aFootLandsOnItsFootholdAtEveryRate ),
