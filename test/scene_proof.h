@@ -30,7 +30,7 @@ testGates testProveAct( testProof* proof, const soleAct* act, uint32_t gates );
 testGates testProve( testProof* proof, const char* scene, const char* name, uint32_t gates );
 /// Also by a host that knows nothing of contacts.
 void testProveTwice( testProof* proof, const char* scene, const char* name, uint32_t gates );
-/// All acts of a test, by the beginning of their scene's id and name.
+/// All acts of a test, by how their scene's id and their name begin.
 void testProveAll( testProof* proof, const char* scene, const char* name, uint32_t gates );
 
 typedef double testMeasureFcn( const testRun* run, int32_t frame, int32_t leg );

@@ -13,21 +13,21 @@ static const struct
 	int number;
 	const char* figures; // when it was listed
 } s_notYet[] = {
-	{ 1, "T03 1.40 stepped: G4 219.8, deg 138.9, and 11 more" },
-	{ 2, "T11-45 up and down: flat 64.36, and 2 more" },
-	{ 3, "T16-4 stand: G5 0.1976, deg 0.0859, and 3 more" },
-	{ 8, "T11-45 up and down: er 187.4, and 4 more" },
-	{ 9, "T24 turn at the edge: G4 31.74, deg 5.776, ov 0.45, and 2 more" },
-	{ 12, "T30 stand: G1 7.438, and 1 more" },
-	{ 13, "under the floor: 8.804 mm" },
-	{ 17, "T02 T47 root at 10 Hz: G1 25.24, G4 59.91, deg 26.98, and 3 more" },
-	{ 18, "T02 T33 jump unlabelled: G4 48.63, deg 20.44, and 1 more" },
-	{ 22, "T02 1.40 stepped: G4 59.9, deg 26.98, and 7 more" },
-	{ 28, "T04 walk 45: G2 19.62, sw 74.14, G4 43.67, deg 19.43, and 4 more" },
-	{ 29, "T02 1.04 ramped: G2 0.2222, sw 71.58, G3 9.268, G4 46.03, deg 12.16, and 2 more" },
-	{ 31, "T02 T46 3 frames late: G4 843.7, deg 176.2, and 15 more" },
-	{ 32, "T01 T42 bend: G4 52.18, deg 24.58, and 1 more" },
-	{ 33, "T01 T41 run, stop unlabelled: G2 0.06265, sw 37.47" },
+	{ 1, "T03 1.40 ramped: G4 236.7, deg 63.14, and 11 more" },
+	{ 2, "T11-45 up and down: flat 80.71" },
+	{ 3, "T16-4 stand unlabelled: G5 0.1977, deg 0.08599, and 3 more" },
+	{ 8, "T11-45 up and down: er 119.7, and 3 more" },
+	{ 9, "T24 turn at the edge: G4 28.21, deg 5.776, ov 0.45, and 2 more" },
+	{ 12, "T30 stand: G1 7.377, and 1 more" },
+	{ 13, "3 cm down: 8.805 mm under the floor" },
+	{ 17, "T02 T47 root at 10 Hz: G1 14.44, G4 45.03, deg 26.95, and 3 more" },
+	{ 18, "T02 T33 jump unlabelled: G4 39.54, deg 12.42, and 1 more" },
+	{ 22, "T01 T42 bend: G4 53.94, deg 24.55, and 7 more" },
+	{ 28, "T04 walk 45: G2 19.5, sw 71.09, G4 43.2, deg 20.99, and 4 more" },
+	{ 29, "T02 1.04 ramped: G2 0.2222, sw 71.58, G3 9.103, G4 47.77, deg 14.17, and 2 more" },
+	{ 31, "T44 turning at 240 Hz: 86.89 mm, and 14 more" },
+	{ 32, "T01 T42 bend: G4 53.94, deg 24.55, and 1 more" },
+	{ 33, "T01 T41 run, stop unlabelled: G2 0.06265, sw 37.47, and 1 more" },
 };
 
 static testActor s_actor;
@@ -67,11 +67,10 @@ static void complaint02DownhillTheWholeSoleTouches( void** state )
 	static const char* const scenes[] = { "T11-10", "T11-20", "T11-30", "T11-45" };
 	for ( int i = 0; i < 4; ++i )
 	{
-		// Up to z = 10, level to z = 12, and down: from half a metre before that.
+		// The slope down is from z = 12 to 20; a sole across one of its edges can't touch with both.
 		soleAct down = *testGetAct( scenes[i], "up and down" );
-		double skipped = 11.5 - down.course.z;
-		down.course.z += skipped;
-		down.duration -= skipped / down.course.speed;
+		down.course.z = 12.8;
+		down.duration = ( 19.2 - down.course.z ) / down.course.speed;
 		testProveAct( &proof, &down, test_gFlat );
 	}
 	testJudge( &proof );
@@ -156,8 +155,7 @@ static void complaint07KneesDoNotPopStraight( void** state )
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 7 );
 	testProveAll( &proof, "T01", "T41", test_gKnee );
-	testProveAll( &proof, "T01", "T42", test_gKnee );
-	testProveAll( &proof, "T11-20", "T42", test_gKnee );
+	testProveAll( &proof, "T", "T42", test_gKnee );
 	testJudge( &proof );
 }
 
@@ -198,10 +196,11 @@ static void complaint12FeetRideEachOnItsOwn( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 12 );
-	testProveAll( &proof, "T27", "", test_g1 );
-	testProveAll( &proof, "T28", "", test_g1 );
-	testProveAll( &proof, "T29", "", test_g1 );
-	testProveAll( &proof, "T30", "", test_g1 );
+	static const char* const scenes[] = { "T27", "T28", "T29", "T30" };
+	for ( int i = 0; i < 4; ++i )
+	{
+		testProveAll( &proof, scenes[i], "", test_g1 );
+	}
 	testJudge( &proof );
 }
 
@@ -220,6 +219,7 @@ static void complaint13WrongAnklesDoNotSinkTheMesh( void** state )
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 13 );
 	static void ( *const changes[] )( toolModel* ) = { NULL, testRaiseAnkles, testLowerAnkles };
+	static const char* const names[] = { "as made", "3 cm up", "3 cm down" };
 	static const char* const acts[] = { "idle", "walk" };
 	for ( int i = 0; i < 6; ++i )
 	{
@@ -230,8 +230,8 @@ static void complaint13WrongAnklesDoNotSinkTheMesh( void** state )
 		double depth = 0.0;
 		double gap = 0.0;
 		testMeasureMesh( &run, &depth, &gap );
-		testProveFigure( &proof, "under the floor", 1e3 * depth, 5.0, "mm" );
-		testProveFigure( &proof, "planted over the floor", 1e3 * gap, 5.0, "mm" );
+		testProveFigure( &proof, names[i / 2], 1e3 * depth, 5.0, "mm under the floor" );
+		testProveFigure( &proof, names[i / 2], 1e3 * gap, 5.0, "mm over it while planted" );
 		testFreeRun( &run );
 		testCloseActor( &s_changed );
 	}
@@ -286,8 +286,7 @@ static void complaint17RemotePlayersWalkAsWell( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 17 );
-	testProveAll( &proof, "T02", "T47", test_g1 | test_g4 );
-	testProveAll( &proof, "T16", "T47", test_g1 | test_g4 );
+	testProveAll( &proof, "T", "T47", test_g1 | test_g4 );
 	testJudge( &proof );
 }
 
@@ -295,9 +294,8 @@ static void complaint18SwitchedOffAndOnWithoutAPop( void** state )
 {
 	(void)state;
 	testProof proof = testBeginProof( &s_actor, 18 );
-	testProveAll( &proof, "T11-20", "T33", test_g4 );
-	testProveAll( &proof, "T02", "T33", test_g4 );
-	testProveAll( &proof, "T11-20", "T35", test_g4 );
+	testProveAll( &proof, "T", "T33", test_g4 );
+	testProveAll( &proof, "T", "T35", test_g4 );
 	testJudge( &proof );
 }
 
@@ -331,8 +329,7 @@ static void complaint22SwingFeetDoNotJumpAtSteps( void** state )
 	testProof proof = testBeginProof( &s_actor, 22 );
 	testProveAll( &proof, "T02", "", test_g4 );
 	testProveAll( &proof, "T09", "", test_g4 );
-	testProveAll( &proof, "T11-20", "T42", test_g4 );
-	testProveAll( &proof, "T01", "T42", test_g4 );
+	testProveAll( &proof, "T", "T42", test_g4 );
 	testJudge( &proof );
 }
 
@@ -419,10 +416,8 @@ static void complaint31EveryFrameRateIsTheSame( void** state )
 		snprintf( name, sizeof name, "T44 %s at %s Hz", scenes[i / 4], rates[i % 4] );
 		testProveCheck( &proof, name );
 	}
-	testProveAll( &proof, "T02", "T44", test_g4 );
-	testProveAll( &proof, "T16", "T44", test_g4 );
-	testProveAll( &proof, "T02", "T46", test_g4 | test_gPlants );
-	testProveAll( &proof, "T16", "T46", test_g4 | test_gPlants );
+	testProveAll( &proof, "T", "T44", test_g4 );
+	testProveAll( &proof, "T", "T46", test_g4 | test_gPlants );
 	testJudge( &proof );
 }
 

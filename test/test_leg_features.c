@@ -220,7 +220,6 @@ static void aLegWithinReachKeepsItsBones( void** state )
 	testEndRun( &run );
 }
 
-#if TEST_OPEN // F5
 /// A joint that is none of the leg's own sits in the left thigh: it has a share of the bone too.
 static void aLegWithAJointInItsThighStretchesAlike( void** state )
 {
@@ -259,7 +258,6 @@ static void aLegWithAJointInItsThighStretchesAlike( void** state )
 	testNear3( ankle.translation, run.out.legs[0].ankle_w, 1e-4f );
 	testEndRun( &run );
 }
-#endif
 
 // ------------------------------------------------------------------------------------------------------------ twist
 
@@ -360,9 +358,7 @@ int main( void )
 		cmocka_unit_test( aLegStretchesToReachATargetThatIsALittleTooFar ),
 		cmocka_unit_test( aLegStretchesByNoMoreThanTheSetting ),
 		cmocka_unit_test( aLegWithinReachKeepsItsBones ),
-#if TEST_OPEN // F5
 		cmocka_unit_test( aLegWithAJointInItsThighStretchesAlike ),
-#endif
 		cmocka_unit_test( theThighTakesItsShareOfAFootsTurn ),
 		cmocka_unit_test( aLegFoldsNoFurtherThanTheSetting ),
 		cmocka_unit_test( anAnimationMayFoldItsLegsFurther ),

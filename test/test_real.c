@@ -277,7 +277,7 @@ static void frameRatesAgree( const char* character, const char* clip, const char
 	print_message( "%s on %s, against 60 Hz: 30 Hz p95 %.1f max %.1f mm, 144 Hz p95 %.1f max %.1f mm\n", clip, ground,
 	    1e3 * slow, 1e3 * slowest, 1e3 * fast, 1e3 * fastest );
 	assert_true( slow <= bound && fast <= bound );
-	assert_true( slowest <= 0.020 && fastest <= 0.020 ); // a frame of a foot in flight over an edge, pointing down
+	assert_true( slowest <= 0.015 && fastest <= 0.015 ); // a frame of a foot in flight over an edge
 	for ( int32_t i = 0; i < 3; ++i )
 	{
 		testCloseTake( takes + i );

@@ -90,11 +90,7 @@ static void placesAreSeenFromTheRootAtTheStrike( void** state )
 			double late = (double)steps[i].strike - strikeOf( i );
 			soleVec3 place = placeOf( i, speed );
 			place.z -= (float)( speed * late );
-#if TEST_OPEN // F6
 			testNear3( steps[i].place, place, 1e-4f );
-#else
-			testNear3( steps[i].place, place, 1e-4f + 0.5f * (float)speed / rate );
-#endif
 		}
 		rigFreeMotion( &m );
 	}
@@ -444,11 +440,7 @@ static void aFootIsForetoldAtOnePlaceAllItsWay( void** state )
 			double world = speed * (double)time + (double)step.place.z;
 			double rounds = round( (double)time + (double)step.until - strikeOf( leg ) );
 			double stands = speed * ( strikeOf( leg ) + rounds ) + (double)placeOf( leg, speed ).z;
-#if TEST_OPEN // F6
 			testNearD( world, stands, 1e-3 );
-#else
-			testNearD( world, stands, 4e-3 );
-#endif
 		}
 	}
 	rigFreeMotion( &m );

@@ -97,7 +97,8 @@ SOLE_API void soleGetStepInput( const soleStep* steps, int32_t stepCount, float 
 /// soleExtrapolate()
 SOLE_API void soleStepInput_Travel( soleStepInput* step, soleTransform travel );
 
-/// What a root does that goes on as it goes now: on an arc about up, for a turn of at most half a circle.
+/// What a root does that goes on as it goes now: on an arc about up, for a turn of at most a quarter of a circle;
+/// what turns further is taken to turn by that.
 /// @param velocity along the floor, units/s
 /// @param turnRate about up, rad/s
 SOLE_API soleTransform soleExtrapolate( soleVec3 velocity, float turnRate, soleVec3 up, float time );

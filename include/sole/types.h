@@ -193,7 +193,7 @@ typedef struct soleSettings
 	{
 		float shift;  // furthest that a step is shifted along the foot to stand better. L [0, 0.5] default 0.2
 		float share;  // a sole that bears with this share of its length stands well. [0, 1] default 0.9
-		float freeze; // the place of a step is settled this long before the foot comes down. s [0, 1] default 0.07
+		float freeze; // the place of a step is settled this long before the foot comes down. s [0, 1] default 0.1
 	} foothold;
 
 	struct
@@ -519,7 +519,8 @@ typedef struct soleLegOutput
 	/// The plane that carries the sole: a point under the ankle and the unit normal, world.
 	soleVec3 planePoint_w;
 	soleVec3 planeNormal_w;
-	/// By how much the bones were made longer: what the translations of all joints after the hip are multiplied with.
+	/// By how much the bones were made longer: what the translations of all joints from below the hip to the ankle are
+	/// multiplied with.
 	float stretch;
 	/// How far the ankle is from where it was wanted, when heel, pelvis, stretch and reach have given what they can.
 	float error;

@@ -63,6 +63,19 @@ static void soleSetInterval( const soleStepFinder* finder, soleLabelRun run, flo
 	*up = any ? soleEndOf( finder, run.last ) : 0.0f;
 }
 
+/// Labels change half way between frames, and so is the root then.
+static soleTransform soleRootAtStrike( const soleMotion* motion, int32_t strike )
+{
+	soleTransform root = motion->roots[strike];
+	if ( strike > 0 )
+	{
+		soleTransform before = motion->roots[strike - 1];
+		root.translation = soleLerp( before.translation, root.translation, 0.5f );
+		root.rotation = soleNlerp( before.rotation, root.rotation, 0.5f );
+	}
+	return root;
+}
+
 /// Where the foot stands if what touches first stays where it is, as seen from the root then: the ball of the flat
 /// foot. Its heading and how far the ball is from the heel are taken from a frame in which it stands.
 static void solePlaceStep( soleStepFinder* finder, int32_t standing, int32_t strike, bool heelFirst, soleStep* step )
@@ -81,7 +94,7 @@ static void solePlaceStep( soleStepFinder* finder, int32_t standing, int32_t str
 	{
 		place = soleAddD( soleGetCarried( &finder->pose, soleGetHeelPoint( rig, step->leg ) ), along );
 	}
-	soleTransform root = motion->roots[strike];
+	soleTransform root = soleRootAtStrike( motion, strike );
 	soleVec3 rigUp = soleRig_GetUp( rig );
 	soleVec3 at = soleInvTransformPoint( root, soleVec( (float)place.x, (float)place.y, (float)place.z ) );
 	soleVec3 heading = soleInvRotate( root.rotation, soleVec( (float)along.x, (float)along.y, (float)along.z ) );

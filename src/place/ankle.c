@@ -8,7 +8,8 @@
 // lowest then, at the height that was wanted of the lowest part.
 //
 // Toes. They go where the animated toes go on the plane (so they stay flat while the heel is raised), plus the slope of
-// the ground in front of the ball, as far as their limits and the foot's contact let them.
+// the ground in front of the ball, as far as their limits let them; up at once, for the ground pushes them, and down
+// with the foot's contact. Toes that the clip has under its floor are bent up to it.
 #include "place/place.h"
 
 typedef struct soleAnkleTurn
@@ -86,13 +87,13 @@ static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg, 
 	soleQuat local = soleMulQuat( soleConjugate( leg->foot.rotation ), leg->toeRotation );
 	soleQuat carried = soleMulQuat( footRotation, local );
 	soleVec3 side = soleRotate( footRotation, rig->footSide );
-	soleHalf slope = soleMakeHalf( 1.0f, leg->toeSlope );
+	soleHalf slope = soleMakeHalf( 1.0f, leg->toeSlope + leg->toeSunk );
 	soleQuat wanted = soleMulQuat( soleHalfRotation( side, slope ), soleMulQuat( leg->image, leg->toeRotation ) );
 	soleHalf bend = soleTwistHalf( soleTwist( soleMulQuat( wanted, soleConjugate( carried ) ), side ), side );
 	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
 	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
 	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
-	float share = leg->turnWeight * leg->state->plantWeight;
+	float share = leg->turnWeight * ( bend.s > 0.0f ? 1.0f : leg->state->plantWeight );
 	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
 	return soleNlerp( carried, bent, share );
 }

@@ -90,6 +90,39 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 	    soleLength( apart ) < 2.0f * work->settings->foothold.shift * leg->length;
 }
 
+/// The plane that was chosen for a foot.
+static solePlane soleGetChosen( const solePlaceWork* work, const soleLegState* state )
+{
+	soleVec3 gradient = soleGradientOf( work, state->stepNormal_w );
+	return soleMakePlane( work, soleSub( state->stepPlace_w, work->root_w ), gradient );
+}
+
+/// How far a plane is over the one that was met, under the load point of that.
+static float soleHeightOver( const solePlaceWork* work, solePlane met, solePlane plane )
+{
+	return solePlaneHeight( work, plane, met.point ) - soleDot( met.point, work->up );
+}
+
+/// What is met under a foot is the step over its own, and bears little of it.
+static bool soleIsNextStep( const solePlaceWork* work, const soleLegWork* leg, float over, float share )
+{
+	return over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length && share < FEW;
+}
+
+/// The foothold is at a place, on the plane that carries the sole there.
+static void soleStandStepOn( const solePlaceWork* work, soleLegWork* leg, soleVec3 place, soleRest rest )
+{
+	soleLegState* state = leg->state;
+	place = soleAdd( place, soleTiltShift( work, leg, rest.plane.normal ) );
+	place = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
+	state->stepPlace_w = soleAdd( place, work->root_w );
+	state->stepNormal_w = rest.plane.normal;
+	state->toeSlope = rest.toeSlope;
+	leg->out->confidence = rest.confidence;
+	leg->surface = rest.surface;
+	leg->surfaceVelocity = rest.velocity;
+}
+
 /// Chooses the foothold, or keeps it where nothing new is known. @return false: there is no ground
 static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 {
@@ -108,16 +141,25 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 	{
 		return false;
 	}
-	place = soleAdd( place, soleTiltShift( work, leg, rest.plane.normal ) );
-	place = soleAtHeight( work, place, solePlaneHeight( work, rest.plane, place ) );
-	state->stepPlace_w = soleAdd( place, work->root_w );
-	state->stepNormal_w = rest.plane.normal;
+	soleStandStepOn( work, leg, place, rest );
 	state->stepLanding_w = soleAdd( leg->landing, work->root_w );
-	state->toeSlope = rest.toeSlope;
-	leg->out->confidence = rest.confidence;
-	leg->surface = rest.surface;
-	leg->surfaceVelocity = rest.velocity;
 	return true;
+}
+
+/// The plane of a foothold that is settled, as its ground is when it is read closely; but where a toe that just meets a
+/// riser, or a heel, would have it stand on the step over it, it stays what was foreseen.
+static void soleReadStep( const solePlaceWork* work, soleLegWork* leg )
+{
+	soleVec3 place = soleLevelPlace( work, leg );
+	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
+	if ( rest.found )
+	{
+		solePlane chosen = soleGetChosen( work, leg->state );
+		if ( soleIsNextStep( work, leg, soleHeightOver( work, rest.plane, chosen ), rest.share ) == false )
+		{
+			soleStandStepOn( work, leg, place, rest );
+		}
+	}
 }
 
 /// A foothold that is just where the animation means it stays there when that is foreseen to be elsewhere.
@@ -169,6 +211,10 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	if ( settled || leg->sampleCount == 0 )
 	{
 		soleFollowLanding( work, leg );
+	}
+	if ( settled && leg->sampleCount > 0 )
+	{
+		soleReadStep( work, leg );
 	}
 	leg->planned = true;
 	leg->hasGround = true;
@@ -232,19 +278,6 @@ static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, so
 	return ( soleStand ){ point, point, 1.0f, 1.0f };
 }
 
-/// The plane that was chosen for a foot.
-static solePlane soleGetChosen( const solePlaceWork* work, const soleLegState* state )
-{
-	soleVec3 gradient = soleGradientOf( work, state->stepNormal_w );
-	return soleMakePlane( work, soleSub( state->stepPlace_w, work->root_w ), gradient );
-}
-
-/// How far a plane is over the one that is met under the foot, under its load point.
-static float soleHeightOver( const solePlaceWork* work, const soleLegWork* leg, solePlane plane )
-{
-	return solePlaneHeight( work, plane, leg->raw.point ) - soleDot( leg->raw.point, work->up );
-}
-
 /// A foot stands on a plane from now on.
 static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
 {
@@ -263,7 +296,7 @@ static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
 static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 {
 	solePlane chosen = soleGetChosen( work, leg->state );
-	float over = soleHeightOver( work, leg, chosen );
+	float over = soleHeightOver( work, leg->raw, chosen );
 	float missed = soleLength( soleHorizontal( work, soleSub( leg->soleCenter, chosen.point ) ) );
 	bool locked = ( leg->state->flags & sole_stateLocked ) != 0;
 	bool there = foreseen && missed < NEAR_BY * leg->length;
@@ -272,8 +305,7 @@ static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 		leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
 		leg->toeSlope = leg->state->toeSlope;
 	}
-	else if ( there && over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length &&
-	    leg->share < FEW )
+	else if ( there && soleIsNextStep( work, leg, over, leg->share ) )
 	{
 		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
 		leg->raw = soleMakePlane( work, point, chosen.gradient );
@@ -294,7 +326,7 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	solePlane chosen = soleGetChosen( work, state );
-	float over = soleHeightOver( work, leg, chosen );
+	float over = soleHeightOver( work, leg->raw, chosen );
 	bool compared = ( state->flags & sole_stateCompared ) != 0;
 	float change = over - state->chosenOver;
 	float most = CHANGE * leg->length;

@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-#define TELEPORT 1.5f // leg lengths that a root can't move in a frame beyond 20 of them a second
+#define FORGET_TIME 0.3f // s: after a frame as long as this what is remembered says nothing: no half-life is as long
+#define TELEPORT 1.5f    // leg lengths that a root can't move in a frame beyond 20 of them a second
 
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 soleSettings soleCleanSettings( const soleSettings* settings )
@@ -184,7 +185,7 @@ void soleSetUpFrame( solePlaceWork* work )
 	work->timeStep = soleIsFinite( step ) && step > 0.0f ? step : 0.0f;
 	work->legCount = work->rig->legCount;
 
-	work->first = work->state->frameCount == 0 || frame->teleport;
+	work->first = work->state->frameCount == 0 || frame->teleport || work->timeStep > FORGET_TIME;
 	if ( work->first == false )
 	{
 		float scaled = soleLongestRigLeg( work->rig ) * work->rootScale;

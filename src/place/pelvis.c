@@ -20,6 +20,7 @@
 #define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
 #define AGAIN 0.011f       // L: a step that needs so little less needs the same again
 #define SAME 1e-5f         // L
+#define CARRIED 0.8f // share of the most that the ground may use up: on steep stairs some is left to catch up with
 #define STANDING_TIME 0.3f // s
 #define LN_2 0.6931472f
 #define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
@@ -170,11 +171,12 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 	return state->pelvisHeld;
 }
 
-/// How far the body's ground has moved along up since the last frame, beyond the bodies that it is part of.
+/// How far the body's ground has moved along up since the last frame, as far as it was foreseen and beyond the bodies
+/// that it is part of.
 static float soleGroundStep( const solePlaceWork* work )
 {
 	const soleState* state = work->state;
-	return work->bodyGround - state->bodyGround + soleDot( soleSub( work->root_w, state->root_w ), work->up ) -
+	return work->bodyBefore - state->bodyGround + soleDot( soleSub( work->root_w, state->root_w ), work->up ) -
 	    work->carriedUp;
 }
 
@@ -192,7 +194,7 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 	const soleSettings* s = work->settings;
 	float legLength = soleLongestLeg( work );
 	float bound = soleClampF( soleBind( bounds, spring.value ), -s->pelvis.down * legLength, s->pelvis.up * legLength );
-	float carried = soleClampF( soleGroundStep( work ), -most, most );
+	float carried = soleClampF( soleGroundStep( work ), -CARRIED * most, CARRIED * most );
 	float step = soleClampF( bound - start, -most - carried, most - carried );
 	state->pelvis.value = start + step;
 	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;

@@ -210,9 +210,12 @@ void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* loc
 		const soleLegOutput* o = output->legs + i;
 		for ( int32_t j = 0; j < leg->jointCount; ++j )
 		{
-			soleTransform* joint = localPose + leg->joints[j];
-			joint->rotation = o->rotations_l[j];
-			joint->translation = j > 0 ? soleScale( o->stretch, joint->translation ) : joint->translation;
+			localPose[leg->joints[j]].rotation = o->rotations_l[j];
+			// Joints between those of the leg are part of its bones.
+			for ( int32_t k = leg->joints[j]; j > 0 && k != leg->joints[j - 1]; k = rig->parents[k] )
+			{
+				localPose[k].translation = soleScale( o->stretch, localPose[k].translation );
+			}
 		}
 		if ( leg->toeCount > 0 )
 		{

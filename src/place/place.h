@@ -85,6 +85,7 @@ typedef struct soleLegWork
 	soleVec3 forward;                    // horizontal heading of the foot, unit
 	float heelRise, ballRise;            // over the clip's floor
 	float sunk;                          // how far the clip itself has the sole under its floor
+	float toeSunk;                       // and its toes alone, as a slope from the ball
 	float heelSpeed, ballSpeed;          // over the ground, with the root's motion
 	soleVec3 ballVelocity, heelVelocity; // horizontal
 
@@ -95,6 +96,7 @@ typedef struct soleLegWork
 	soleVec3 tip;         // of the toes of a foot in flight
 	bool foreseen;        // in flight, and where and when it will come down is known
 	bool choosing;        // the foothold is to be chosen, or once more
+	bool reading;         // it is settled, and its ground is to be read closely
 	soleVec3 landing;     // ball of the flat sole then, as the animation has it
 	soleVec3 landingForward;
 	soleVec3 travel; // of the root until then

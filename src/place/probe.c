@@ -16,6 +16,7 @@
 #define MEANT_ELSEWHERE 0.02f // L
 #define STRIP_TIME 0.24f      // s in which the strip becomes short, until the last choice
 #define CLIMB 0.7f            // rise per length: as much further up and down is asked for places ahead of the root
+#define KNOWN 0.15f           // L around the ground that a foot stands on
 #define STRIP_END 0.05f       // L: at last a third of it is as long as this about each end of the sole
 
 /// How many probes of each kind.
@@ -68,6 +69,9 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
 	leg->choosing = leg->foreseen && ( ( state->flags & sole_statePlanned ) == 0 || soleIsTimeToChoose( work, leg ) );
+	float freeze = work->settings->foothold.freeze;
+	leg->reading = leg->foreseen && ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < freeze &&
+	    leg->stepInput.until + work->timeStep >= freeze;
 	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
 	    leg->ballSpeed > FLYING * leg->length;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
@@ -125,6 +129,8 @@ static const soleProbePlace soleQualityPlaces[] = { { -1.0f, -0.6f }, { -1.0f, 0
 	{ -0.8f, 0.7f }, { -0.6f, -0.7f }, { -0.6f, 0.7f }, { -0.4f, -0.75f }, { -0.4f, 0.75f }, { -0.2f, -0.8f },
 	{ -0.2f, 0.8f }, { 0.0f, -0.85f }, { 0.0f, 0.85f }, { 0.35f, -0.8f }, { 0.35f, 0.8f }, { 0.7f, -0.7f },
 	{ 0.7f, 0.7f }, { 1.0f, -0.5f }, { 1.0f, 0.5f } };
+
+#define QUALITY ( (int32_t)( sizeof soleQualityPlaces / sizeof soleQualityPlaces[0] ) )
 
 static const soleProbePlace* soleChoosePlaces( soleProbeLayout layout )
 {
@@ -194,7 +200,10 @@ static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork
 	{
 		// As long as it is far off, what the animation means counts; then what was chosen.
 		float far = soleIsFar( leg );
-		soleVec3 center = soleLerp( chosen, leg->landing, far );
+		// As far beside what was chosen as the animation means another place since then.
+		soleVec3 meant = soleSub( leg->state->stepLanding_w, work->root_w );
+		soleVec3 near = planned ? soleAdd( chosen, soleHorizontal( work, soleSub( leg->landing, meant ) ) ) : chosen;
+		soleVec3 center = soleLerp( near, leg->landing, far );
 		*point = soleStripPoint( work, leg, center, k, counts.strip );
 		return true;
 	}
@@ -217,6 +226,12 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	if ( leg->usable == false )
 	{
 		return false;
+	}
+	if ( leg->reading )
+	{
+		soleProbePlace place = soleQualityPlaces[soleMinI( k, QUALITY - 1 )];
+		*point = soleProbePoint( work, leg, soleLevelPlace( work, leg ), leg->landingForward, place );
+		return k < QUALITY;
 	}
 	if ( leg->foreseen )
 	{
@@ -248,6 +263,14 @@ static float soleFindRise( const solePlaceWork* work, const soleLegWork* leg, so
 	return foreseen ? -soleDot( soleHorizontal( work, normal ), point ) / up : 0.0f;
 }
 
+/// How far over the reference height a foot stands, or has come down: a step of two treads may be further than
+/// stepUp from a root that has not followed yet, and is asked for nevertheless.
+static float soleFindKnownHeight( const solePlaceWork* work, const soleLegWork* leg )
+{
+	bool stands = work->first == false && leg->foreseen == false && leg->flying == false;
+	return stands ? soleDot( soleSub( leg->state->planePoint_w, work->root_w ), work->up ) - work->reference : 0.0f;
+}
+
 int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
 	const soleSettings* settings = work->settings;
@@ -270,8 +293,9 @@ int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t c
 				float away = soleLength( soleHorizontal( work, point ) );
 				float rise = soleFindRise( work, leg, point );
 				float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
-				float up = settings->probe.stepUp * leg->length + further;
-				float down = settings->probe.stepDown * leg->length + further;
+				float known = soleFindKnownHeight( work, leg );
+				float up = soleMaxF( settings->probe.stepUp * leg->length, known + KNOWN * leg->length ) + further;
+				float down = soleMaxF( settings->probe.stepDown * leg->length, KNOWN * leg->length - known ) + further;
 				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + rise + up ), work->root_w );
 				probe->length = up + down;
 				probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;

@@ -79,7 +79,14 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	soleVec3 outer = soleTransformPoint( fore, rig->foreOuter );
 	float edges = soleMinF( soleDot( inner, work->rootUp ), soleDot( outer, work->rootUp ) );
 	float lowest = soleMinF( edges - soleDot( work->floor, work->rootUp ), soleMinF( leg->heelRise, leg->ballRise ) );
+	float tip = soleDot( soleSub( soleTransformPoint( fore, rig->foreToe ), work->floor ), work->rootUp );
+	// Toes that are under the floor are bent; a foot without toes is raised.
+	lowest = rig->toeSlot == SOLE_NONE ? soleMinF( lowest, tip ) : lowest;
 	leg->sunk = soleMaxF( -lowest, 0.0f );
+	float toeLength = rig->toeAhead * work->rootScale;
+	leg->toeSunk = rig->toeSlot == SOLE_NONE
+	    ? 0.0f
+	    : soleMaxF( -tip - leg->sunk, 0.0f ) / soleMaxF( toeLength, 0.01f * leg->length );
 }
 
 /// Horizontal velocity of a sole point since the last frame, and its speed with the change of its height.

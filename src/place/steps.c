@@ -3,7 +3,7 @@
 //
 // Extrapolation. A root that goes on at velocity v and turns at rate w about up has moved after the time T, with the
 // angle a = w T, by  T ( S v + C ( up x v ) ),  S = sin( a ) / a,  C = ( 1 - cos( a ) ) / a, the arc's integrals. Both
-// are taken by their Taylor series up to half a turn.
+// are taken by their Taylor series, up to a quarter of a turn.
 #include "base/core.h"
 #include "base/math_internal.h"
 #include "sole/sole.h"

@@ -77,6 +77,7 @@ typedef struct soleClearance
 	float lift;
 } soleClearance;
 
+#define BESIDE 0.06f // L
 #define MAX_CLEARANCES ( 3 * SOLE_MAX_PROBES_PER_LEG + 2 )
 
 /// How far the way has to be lifted so that neither heel, ball nor toes meet what lies between its ends.
@@ -92,19 +93,22 @@ static int32_t soleFindClearances(
 	{
 		return count;
 	}
-	const float spans[3] = { leg->rig->heelBehind * work->rootScale / length, 0.0f,
-		-leg->rig->toeAhead * work->rootScale / length };
+	const float parts[3] = { -leg->rig->heelBehind * work->rootScale, 0.0f, leg->rig->toeAhead * work->rootScale };
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
-		float at = soleDot( soleSub( sample->place, way->from ), d ) / ( length * length );
 		for ( int32_t k = 0; k < 3 && sample->found; ++k )
 		{
-			float s = at + spans[k];
-			// A foot that flies in parallel to the slope under it.
+			// Where the ball is while that part of the foot passes over the place, if it does.
+			soleVec3 ball = soleMulAdd( soleSub( sample->place, way->from ), -parts[k], leg->landingForward );
+			float s = soleDot( ball, d ) / ( length * length );
+			soleVec3 off = soleHorizontal( work, soleMulAdd( ball, -s, d ) );
 			soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
-			float height = soleDot( soleLerp( way->from, way->to, s ), work->up ) - spans[k] * soleDot( gradient, d );
-			if ( s > NEAR_END && s < 1.0f - NEAR_END && sample->height > height )
+			// A foot that flies in parallel to the slope under it.
+			float height = soleDot( soleLerp( way->from, way->to, s ), work->up ) +
+			    parts[k] * soleDot( gradient, leg->landingForward );
+			if ( soleLength( off ) < BESIDE * leg->length && s > NEAR_END && s < 1.0f - NEAR_END &&
+			    sample->height > height )
 			{
 				list[count++] = ( soleClearance ){ s, sample->height - height };
 			}

@@ -157,6 +157,7 @@ static void soleBakeFoot( const soleRigDef* def, soleRigLeg* leg, soleVec3 ankle
 	leg->inner = soleInvTransformPoint( footWorld, d->sole.inner );
 	leg->outer = soleInvTransformPoint( footWorld, d->sole.outer );
 	leg->foreBall = soleInvTransformPoint( leg->toeBind, d->sole.ball );
+	leg->foreToe = soleInvTransformPoint( leg->toeBind, d->sole.toe );
 	leg->foreInner = soleInvTransformPoint( leg->toeBind, d->sole.inner );
 	leg->foreOuter = soleInvTransformPoint( leg->toeBind, d->sole.outer );
 	leg->pivot = soleInvTransformPoint( footWorld, d->toeCount > 0 ? leg->toeBind.translation : d->sole.ball );

@@ -35,12 +35,12 @@ typedef struct soleRigLeg
 	soleTransform toeBind; // of the first toe joint
 
 	// In the local space of the joint that carries them, bind pose.
-	soleVec3 hinge;                          // unit, in the hip joint's rotation
-	soleVec3 virtualAnkle;                   // in the last chain joint
-	soleVec3 heel, toe, inner, outer, pivot; // in the foot joint
-	soleVec3 foreBall, foreInner, foreOuter; // in the first toe joint, else in the foot joint
-	soleVec3 footUp, footForward, footSide;  // unit, in the foot joint's rotation; side = forward x up
-	soleQuat neutral;                        // rotation of the foot against the shin
+	soleVec3 hinge;                                   // unit, in the hip joint's rotation
+	soleVec3 virtualAnkle;                            // in the last chain joint
+	soleVec3 heel, toe, inner, outer, pivot;          // in the foot joint
+	soleVec3 foreBall, foreInner, foreOuter, foreToe; // in the first toe joint, else in the foot joint
+	soleVec3 footUp, footForward, footSide;           // unit, in the foot joint's rotation; side = forward x up
+	soleQuat neutral;                                 // rotation of the foot against the shin
 
 	// The sole as it lies flat on the floor, bind pose, character space: lengths from the ball.
 	float heelBehind; // > 0

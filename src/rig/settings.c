@@ -56,7 +56,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( contact.fadeOut, "s", 0, 1, 0.2, "Time in which a released leg loses its say in the pelvis." ),
 	FLOAT( foothold.shift, "L", 0, 0.5, 0.2, "Furthest that a step is shifted along the foot to stand better." ),
 	FLOAT( foothold.share, "", 0, 1, 0.9, "A sole that bears with this share of its length stands well." ),
-	FLOAT( foothold.freeze, "s", 0, 1, 0.07, "The place of a step is settled this long before the foot comes down." ),
+	FLOAT( foothold.freeze, "s", 0, 1, 0.1, "The place of a step is settled this long before the foot comes down." ),
 	FLOAT( target.align, "", 0, 1, 1, "Share of the ground's slope that the foot follows." ),
 	FLOAT( target.toeOutLeft, "rad", -1.5, 1.5, 0, "A left foot is turned outwards by this." ),
 	FLOAT( target.toeOutRight, "rad", -1.5, 1.5, 0, "A right foot is turned outwards by this." ),
