@@ -204,7 +204,7 @@ static void meanFurtherOn( Walker* w, float until, float* moved )
 		stepOn( w );
 	} while ( w->time < 4.5f || w->inputs[0].until > until || w->contacts[0].toe > 0.5f );
 	soleVec3 before = w->run.state.legs[0].stepPlace_w;
-	w->nudge = 0.1f;
+	w->nudge = 0.06f;
 	stepOn( w );
 	stepOn( w );
 	assert_true( ( w->run.out.legs[0].flags & sole_legPlanned ) != 0 );
@@ -239,7 +239,7 @@ static void anUnshiftedFootholdGoesWithTheLandingToTheLast( void** state )
 	float moved;
 	start( &w, 0.6f );
 	meanFurtherOn( &w, 0.069f, &moved );
-	assert_float_equal( moved, 0.1f, 1e-4f );
+	assert_float_equal( moved, 0.06f, 1e-4f );
 	testEndRun( &w.run );
 }
 
