@@ -14,7 +14,7 @@ typedef struct Walker
 	float time;
 	soleContactInput contacts[2];
 	soleStepInput inputs[2];
-	float nudge; // m further on is the left foot told to land
+	float nudge; // so much further on is the left foot meant to land, m
 	bool silent; // nothing is told
 } Walker;
 
@@ -194,41 +194,40 @@ static void aFootLandsOnItsFootholdAtEveryRate( void** state )
 
 // ----------------------------------------------------------------------------------------------------------- when
 
-/// Walks until the left foot comes down in so many seconds, from the fifth second on; then it is meant 10 cm further
-/// on.
-/// @param moved how far its foothold moves for that
-static void meanFurtherOn( Walker* w, float until, float* moved )
+/// Walks until the left foot comes down in so many seconds, then it is meant elsewhere.
+/// @return how far its foothold moves for that
+static float meanElsewhere( Walker* w, float until, float by )
 {
 	do
 	{
 		stepOn( w );
 	} while ( w->time < 4.5f || w->inputs[0].until > until || w->contacts[0].toe > 0.5f );
 	soleVec3 before = w->run.state.legs[0].stepPlace_w;
-	w->nudge = 0.06f;
+	w->nudge = by;
 	stepOn( w );
 	stepOn( w );
 	assert_true( ( w->run.out.legs[0].flags & sole_legPlanned ) != 0 );
-	*moved = soleDistance( w->run.state.legs[0].stepPlace_w, before );
+	return soleDistance( w->run.state.legs[0].stepPlace_w, before );
 }
 
 static void aShiftedFootholdIsSettledBeforeTheFootComesDown( void** state )
 {
 	(void)state;
 	static Walker w;
-	float moved;
+	const float places[] = { -0.12f, -0.06f, 0.06f, 0.12f };
+	for ( int32_t i = 0; i < 4; ++i )
+	{
+		startStairs( &w, 1.09f );
+		assert_float_equal( meanElsewhere( &w, 0.069f, places[i] ), 0.0f, 0.0f );
+		testEndRun( &w.run );
+	}
+	// Earlier, or if it is never settled, it is chosen anew.
 	startStairs( &w, 1.09f );
-	meanFurtherOn( &w, 0.069f, &moved );
-	assert_float_equal( moved, 0.0f, 0.0f );
-	testEndRun( &w.run );
-	// A little earlier, or if it is never settled, it is chosen anew.
-	startStairs( &w, 1.09f );
-	meanFurtherOn( &w, 0.12f, &moved );
-	assert_true( moved > 5e-3f );
+	assert_true( meanElsewhere( &w, 0.2f, 0.09f ) > 5e-3f );
 	testEndRun( &w.run );
 	startStairs( &w, 1.09f );
 	w.run.settings.foothold.freeze = 0.0f;
-	meanFurtherOn( &w, 0.069f, &moved );
-	assert_true( moved > 5e-3f );
+	assert_true( meanElsewhere( &w, 0.069f, -0.06f ) > 5e-3f );
 	testEndRun( &w.run );
 }
 
@@ -236,10 +235,8 @@ static void anUnshiftedFootholdGoesWithTheLandingToTheLast( void** state )
 {
 	(void)state;
 	static Walker w;
-	float moved;
 	start( &w, 0.6f );
-	meanFurtherOn( &w, 0.069f, &moved );
-	assert_float_equal( moved, 0.06f, 1e-4f );
+	assert_float_equal( meanElsewhere( &w, 0.069f, 0.06f ), 0.06f, 1e-4f );
 	testEndRun( &w.run );
 }
 
