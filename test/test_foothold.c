@@ -377,6 +377,27 @@ static void aMomentWithoutAnswersMovesNothing( void** state )
 	}
 }
 
+#if TEST_OPEN // F12
+static void inTheAirAFootIsAsAnimated( void** state )
+{
+	(void)state;
+	static testRun run;
+	const float speeds[] = { 3.0f, -3.0f };
+	for ( int32_t k = 0; k < 2; ++k )
+	{
+		testStartRun( &run, 0.8f );
+		run.ground.hole = -1e9f;
+		for ( int32_t i = 0; i < 60; ++i )
+		{
+			run.frame.root.translation.y = speeds[k] * (float)i / 60.0f;
+			testStepRun( &run );
+			assert_true( testLargestMove( &run.biped, run.placed, run.pose ) < 1e-4f );
+		}
+		testEndRun( &run );
+	}
+}
+#endif
+
 static void aLandingThatIsSeenLateDoesNotShakeTheBody( void** state )
 {
 	(void)state;
@@ -442,6 +463,7 @@ int main( void )
 		cmocka_unit_test( aLandingThatIsSeenLateDoesNotShakeTheBody ),
 		cmocka_unit_test( aGaitThatIsNotToldIsLearntFromItsSteps ),
 #if TEST_OPEN
+		cmocka_unit_test( inTheAirAFootIsAsAnimated ),
 		cmocka_unit_test( aFootLandsOnItsFootholdAtEveryRate ),
 		cmocka_unit_test( onStairsNoFootGoesThroughTheRiserAhead ),
 #endif
