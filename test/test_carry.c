@@ -189,6 +189,23 @@ static void eachFootRidesOnItsOwnBody( void** state )
 	finish( &r );
 }
 
+static void aFastLiftTakesTheBodyAlong( void** state )
+{
+	(void)state;
+	static Rider r;
+	start( &r );
+	for ( int32_t i = 0; i < 120; ++i )
+	{
+		// Faster than the pelvis may move by itself.
+		r.pieces[0].transform.translation.y = 3.0f * (float)i / 60.0f;
+		ride( &r );
+		assert_true( i < 10 || ( isPlanted( &r, 0 ) && isPlanted( &r, 1 ) ) );
+		assert_float_equal( r.run.out.pelvisOffset_w.y, 0.0f, 1e-3f );
+		assert_true( testLargestTurn( r.run.placed, r.run.pose ) < 2e-3f );
+	}
+	finish( &r );
+}
+
 static void aBodyThatIsNotListedCarriesByItsVelocity( void** state )
 {
 	(void)state;
@@ -372,6 +389,7 @@ int main( void )
 		cmocka_unit_test( aFootRidesOnABodyThatMovesAndTurns ),
 		cmocka_unit_test( aFootRidesOnABodyThatTilts ),
 		cmocka_unit_test( eachFootRidesOnItsOwnBody ),
+		cmocka_unit_test( aFastLiftTakesTheBodyAlong ),
 		cmocka_unit_test( aBodyThatIsNotListedCarriesByItsVelocity ),
 		cmocka_unit_test( aFootIsCarriedAwayFromARootThatStays ),
 		cmocka_unit_test( aBodyThatVanishesLetsGo ),
