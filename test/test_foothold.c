@@ -141,6 +141,28 @@ static void onStairsAFootStandsOnItsTread( void** state )
 	assert_true( largest > 0.1f );
 }
 
+static void aShiftedFootThatComesToStandStays( void** state )
+{
+	(void)state;
+	static Walker w;
+	startStairs( &w, 1.135f );
+	while ( w.time < 4.05f )
+	{
+		stepOn( &w );
+	}
+	// Both feet are down, and stay so.
+	assert_true( w.contacts[0].toe > 0.5f && w.contacts[1].toe > 0.5f );
+	assert_true( shiftOf( &w, 0 ) > w.run.settings.contact.replantDistance * 0.9f );
+	w.run.frame.steps = NULL;
+	for ( int32_t i = 0; i < 180; ++i )
+	{
+		testStepRun( &w.run );
+		assert_true( ( ( w.run.out.legs[0].flags | w.run.out.legs[1].flags ) & (uint32_t)sole_legPlanned ) == 0 );
+	}
+	assert_true( shiftOf( &w, 0 ) > w.run.settings.contact.replantDistance * 0.9f );
+	testEndRun( &w.run );
+}
+
 static void withoutAShiftAFootLandsWhereItIsMeantToOnStairsToo( void** state )
 {
 	(void)state;
@@ -453,6 +475,7 @@ int main( void )
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test( onFlatGroundAFootLandsWhereItIsMeantTo ),
 		cmocka_unit_test( onStairsAFootStandsOnItsTread ),
+		cmocka_unit_test( aShiftedFootThatComesToStandStays ),
 		cmocka_unit_test( withoutAShiftAFootLandsWhereItIsMeantToOnStairsToo ),
 		cmocka_unit_test( aShiftedFootholdIsSettledBeforeTheFootComesDown ),
 		cmocka_unit_test( anUnshiftedFootholdGoesWithTheLandingToTheLast ),
