@@ -80,7 +80,7 @@ static inline soleGroundSample* testAddSample( testSole* s, float ahead, float a
 
 static inline soleRest testRest( testSole* s )
 {
-	return soleRestSole( &s->work, &s->leg, s->center, s->forward, false );
+	return soleRestSole( &s->work, &s->leg, soleMakeFootprint( &s->work, s->center, s->forward, s->work.up ), false );
 }
 
 /// Height of a plane over a place in the foot's own frame, as the samples' heights are given.

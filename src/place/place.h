@@ -59,6 +59,16 @@ typedef struct soleStand
 	float share; // 0 from .. 1 to
 } soleStand;
 
+/// A sole seen from above. A tilted one is shorter and narrower.
+typedef struct soleFootprint
+{
+	soleVec3 ball;    // middle of the ball line
+	soleVec3 forward; // horizontal, unit
+	soleVec3 side;    // to the outer side of a right foot, horizontal, unit
+	float along;      // world's lengths of one of the rig's, along the foot
+	float across;     // and across it
+} soleFootprint;
+
 /// One leg during a frame.
 typedef struct soleLegWork
 {
@@ -92,6 +102,7 @@ typedef struct soleLegWork
 	// probe: what the probes are aimed at
 	soleVec3 soleCenter;  // ball of the flat sole, horizontal place
 	soleVec3 soleForward; // its heading
+	soleFootprint print;  // of the sole as it is tilted
 	bool flying;          // fast enough to run into something
 	soleVec3 tip;         // of the toes of a foot in flight
 	bool foreseen;        // in flight, and where and when it will come down is known
@@ -214,11 +225,30 @@ static inline soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWo
 	return soleScale( -leg->rig->ankleHeight * work->rootScale, soleHorizontal( work, normal ) );
 }
 
+/// With R the turn from up U to a plane's normal N, f . R f = 1 - ( f . N )^2 / ( 1 + U . N ) for horizontal f.
+static inline soleFootprint soleMakeFootprint(
+    const solePlaceWork* work, soleVec3 ball, soleVec3 forward, soleVec3 normal )
+{
+	soleVec3 side = soleCross( forward, work->up );
+	float perLean = 1.0f / ( 1.0f + soleMaxF( soleDot( work->up, normal ), 0.0f ) );
+	float pitch = soleDot( forward, normal );
+	float roll = soleDot( side, normal );
+	float along = work->rootScale * ( 1.0f - pitch * pitch * perLean );
+	float across = work->rootScale * ( 1.0f - roll * roll * perLean );
+	return ( soleFootprint ){ ball, forward, side, along, across };
+}
+
 /// The foothold that was chosen, without that part.
 static inline soleVec3 soleLevelPlace( const solePlaceWork* work, const soleLegWork* leg )
 {
 	soleVec3 place = soleSub( leg->state->stepPlace_w, work->root_w );
 	return soleSub( place, soleTiltShift( work, leg, leg->state->stepNormal_w ) );
+}
+
+/// The footprint there.
+static inline soleFootprint soleChosenFootprint( const solePlaceWork* work, const soleLegWork* leg )
+{
+	return soleMakeFootprint( work, soleLevelPlace( work, leg ), leg->landingForward, leg->state->stepNormal_w );
 }
 
 static inline int32_t soleMinI( int32_t a, int32_t b )

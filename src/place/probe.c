@@ -65,32 +65,21 @@ static bool soleIsTimeToChoose( const solePlaceWork* work, const soleLegWork* le
 	return due || soleLength( soleHorizontal( work, moved ) ) > MEANT_ELSEWHERE * leg->length;
 }
 
-void soleAimSole( solePlaceWork* work, soleLegWork* leg )
+/// A held foot is where it is held.
+static void soleAimHeld( const solePlaceWork* work, soleLegWork* leg, soleVec3 normal )
 {
 	const soleLegState* state = leg->state;
-	leg->choosing = leg->foreseen && ( ( state->flags & sole_statePlanned ) == 0 || soleIsTimeToChoose( work, leg ) );
-	float freeze = work->settings->foothold.freeze;
-	leg->reading = leg->foreseen && ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < freeze &&
-	    leg->stepInput.until + work->timeStep >= freeze;
-	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
-	    leg->ballSpeed > FLYING * leg->length;
-	if ( ( state->flags & sole_stateLocked ) != 0 )
-	{
-		leg->soleCenter = soleSub( state->lockPoint_w, work->root_w );
-		leg->soleForward =
-		    soleNormalizeOr( soleHorizontal( work, state->lockForward_w ), soleAnyOrthogonal( work->up ) );
-		if ( work->settings->contact.pivot == sole_pivotAnkle )
-		{
-			float ahead = leg->rig->ankleBehind * work->rootScale;
-			leg->soleCenter = soleMulAdd( leg->soleCenter, ahead, leg->soleForward );
-		}
-		else if ( ( state->flags & sole_stateByHeel ) != 0 )
-		{
-			float scaled = leg->rig->heelBehind * work->rootScale;
-			leg->soleCenter = soleMulAdd( leg->soleCenter, scaled, leg->soleForward );
-		}
-		return;
-	}
+	soleVec3 held = soleSub( state->lockPoint_w, work->root_w );
+	leg->soleForward = soleNormalizeOr( soleHorizontal( work, state->lockForward_w ), soleAnyOrthogonal( work->up ) );
+	float ahead = ( state->flags & sole_stateByHeel ) != 0 ? leg->rig->heelBehind : 0.0f;
+	ahead = work->settings->contact.pivot == sole_pivotAnkle ? leg->rig->ankleBehind : ahead;
+	float along = soleMakeFootprint( work, held, leg->soleForward, normal ).along;
+	leg->soleCenter = soleMulAdd( held, ahead * along, leg->soleForward );
+}
+
+static void soleAimFree( const solePlaceWork* work, soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
 	soleHalf half = soleHalfFromQuarterTan( state->turn.value );
 	soleVec3 ball = leg->ball;
 	soleVec3 normal = state->planeNormal_w;
@@ -112,6 +101,36 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 	leg->soleCenter = soleAdd( soleAdd( ball, tilt ), state->slide.value );
 	leg->soleForward = soleRotate( soleHalfRotation( work->up, half ), leg->forward );
 	leg->tip = soleMulAdd( leg->soleCenter, leg->rig->toeAhead * work->rootScale, leg->soleForward );
+}
+
+/// The normal of the plane on which a foot stands, as far as that is known.
+static soleVec3 soleKnownNormal( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	bool coming = ( state->flags & ( sole_statePlanned | sole_stateForeseen ) ) != 0;
+	soleVec3 normal = coming ? state->stepNormal_w : state->planeNormal_w;
+	return work->first ? work->up : normal;
+}
+
+void soleAimSole( solePlaceWork* work, soleLegWork* leg )
+{
+	const soleLegState* state = leg->state;
+	leg->choosing = leg->foreseen && ( ( state->flags & sole_statePlanned ) == 0 || soleIsTimeToChoose( work, leg ) );
+	float freeze = work->settings->foothold.freeze;
+	leg->reading = leg->foreseen && ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < freeze &&
+	    leg->stepInput.until + work->timeStep >= freeze;
+	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
+	    leg->ballSpeed > FLYING * leg->length;
+	soleVec3 normal = soleKnownNormal( work, leg );
+	if ( ( state->flags & sole_stateLocked ) != 0 )
+	{
+		soleAimHeld( work, leg, normal );
+	}
+	else
+	{
+		soleAimFree( work, leg );
+	}
+	leg->print = soleMakeFootprint( work, leg->soleCenter, leg->soleForward, normal );
 }
 
 // ---------------------------------------------------------------------------------------------------------- layouts
@@ -141,16 +160,14 @@ static const soleProbePlace* soleChoosePlaces( soleProbeLayout layout )
 	return layout == sole_probeSingle ? soleSinglePlaces : soleEconomyPlaces;
 }
 
-/// A place of a sole that lies flat with its ball at a center.
-static soleVec3 soleProbePoint(
-    const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward, soleProbePlace place )
+/// A place under a sole.
+static soleVec3 soleProbePoint( const soleLegWork* leg, soleFootprint print, soleProbePlace place )
 {
 	const soleRigLeg* rig = leg->rig;
 	float ahead = place.ahead < 0.0f ? place.ahead * rig->heelBehind : place.ahead * rig->toeAhead;
 	float sideways = place.sideways < 0.0f ? -place.sideways * rig->innerSide : place.sideways * rig->outerSide;
-	soleVec3 side = soleCross( forward, work->up );
-	soleVec3 p = soleMulAdd( center, ahead * work->rootScale, forward );
-	return soleMulAdd( p, sideways * work->rootScale, side );
+	soleVec3 p = soleMulAdd( print.ball, ahead * print.along, print.forward );
+	return soleMulAdd( p, sideways * print.across, print.side );
 }
 
 /// 1: the foot has just set out, 0: its foothold is chosen for the last time. By the number of the choice, not by the
@@ -211,7 +228,7 @@ static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork
 	if ( k < counts.sides )
 	{
 		soleProbePlace place = { 0.0f, k == 0 ? -0.8f : 0.8f };
-		*point = soleProbePoint( work, leg, chosen, leg->landingForward, place );
+		*point = soleProbePoint( leg, soleMakeFootprint( work, chosen, leg->landingForward, work->up ), place );
 		return true;
 	}
 	k -= counts.sides;
@@ -230,7 +247,7 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	if ( leg->reading )
 	{
 		soleProbePlace place = soleQualityPlaces[soleMinI( k, QUALITY - 1 )];
-		*point = soleProbePoint( work, leg, soleLevelPlace( work, leg ), leg->landingForward, place );
+		*point = soleProbePoint( leg, soleChosenFootprint( work, leg ), place );
 		return k < QUALITY;
 	}
 	if ( leg->foreseen )
@@ -238,14 +255,14 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 		return leg->choosing && soleChooseLandingPoint( work, leg, k, point );
 	}
 	soleProbeLayout layout = work->settings->probe.layout;
-	// A foot that has just been planted reads its ground closely, once.
-	bool closely = ( leg->state->flags & ( sole_stateLocked | sole_stateChosen ) ) == sole_stateLocked;
+	// A foot that has just been planted reads its ground closely, once; as do all in the first frame.
+	bool closely = work->first || ( leg->state->flags & ( sole_stateLocked | sole_stateChosen ) ) == sole_stateLocked;
 	layout = closely && layout == sole_probeEconomy ? sole_probeQuality : layout;
 	soleProbeCounts counts = soleGetProbeCounts( layout );
 	if ( k < counts.sole )
 	{
 		soleProbePlace place = soleChoosePlaces( layout )[k];
-		*point = soleProbePoint( work, leg, leg->soleCenter, leg->soleForward, place );
+		*point = soleProbePoint( leg, leg->print, place );
 		return true;
 	}
 	k -= counts.sole;

@@ -19,6 +19,7 @@
 
 #define MARGIN 0.012f      // L, around the sole
 #define BEARS_UNDER 0.011f // L: a place this far under the sole bears it: 1 cm of a leg of 0.9 m
+#define TOES_UP 0.65f      // rise per length: 33 degrees, toes that flip up further on a stone look broken
 #define MAX_POINTS SOLE_MAX_PROBES_PER_LEG
 
 /// A sample in the foot's own frame, around the load point: u ahead, v to the side, h up.
@@ -48,19 +49,17 @@ typedef struct soleFit
 
 // ------------------------------------------------------------------------------------------------------- footprint
 
-static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward,
-    bool line, float loadAhead, soleRestPoints* found )
+static void soleFindPoints(
+    const soleLegWork* leg, soleFootprint print, bool line, float loadAhead, soleRestPoints* found )
 {
 	const soleRigLeg* rig = leg->rig;
-	float scale = work->rootScale;
 	float margin = MARGIN * leg->length;
-	float heel = -rig->heelBehind * scale;
-	float toe = rig->toeAhead * scale;
-	float inner = rig->innerSide * scale;
-	float outer = rig->outerSide * scale;
+	float heel = -rig->heelBehind * print.along;
+	float toe = rig->toeAhead * print.along;
+	float inner = rig->innerSide * print.across;
+	float outer = rig->outerSide * print.across;
 	float right = soleMaxF( inner, outer );
 	float left = soleMinF( inner, outer );
-	soleVec3 side = soleCross( forward, work->up );
 	found->count = 0;
 	found->asked = 0;
 	found->askedAhead = 0;
@@ -69,9 +68,9 @@ static void soleFindPoints( const solePlaceWork* work, const soleLegWork* leg, s
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
-		soleVec3 from = soleSub( sample->place, center );
-		float u = soleDot( from, forward );
-		float v = soleDot( from, side );
+		soleVec3 from = soleSub( sample->place, print.ball );
+		float u = soleDot( from, print.forward );
+		float v = soleDot( from, print.side );
 		bool near = u > heel - margin && u < toe + margin && v > left - margin && v < right + margin;
 		bool middle = v > 0.25f * left && v < 0.25f * right;
 		if ( near == false || ( line && middle == false ) )
@@ -126,13 +125,17 @@ static void soleJoinLevels( soleRestPoints* read, float gap )
 	}
 }
 
-/// Keeps the points of the level that has the highest one; the others are dropped. @return how many were dropped
+/// Keeps the points of the level that has the highest one under the sole; the others are dropped: what hangs, and what
+/// stands beside it. @return how many were dropped
 static int32_t soleKeepHighestLevel( soleRestPoints* read )
 {
 	int32_t highest = 0;
 	for ( int32_t i = 1; i < read->count; ++i )
 	{
-		highest = read->points[i].h > read->points[highest].h ? i : highest;
+		const soleRestPoint* p = read->points + i;
+		const soleRestPoint* best = read->points + highest;
+		bool higher = p->under == best->under ? p->h > best->h : p->under;
+		highest = higher ? i : highest;
 	}
 	int32_t level = read->points[highest].level;
 	int32_t kept = 0;
@@ -305,7 +308,7 @@ static float soleClampToeSlope( const solePlaceWork* work, float slope )
 	soleHalf down = soleHalfFromAngle( work->settings->ankle.toeDown );
 	float most = 2.0f * up.s * up.c / soleMaxF( up.c * up.c - up.s * up.s, 0.05f );
 	float least = -2.0f * down.s * down.c / soleMaxF( down.c * down.c - down.s * down.s, 0.05f );
-	return soleClampF( slope, least, most );
+	return soleClampF( slope, least, soleMinF( most, TOES_UP ) );
 }
 
 static float soleShareOf( int32_t part, int32_t whole )
@@ -314,10 +317,10 @@ static float soleShareOf( int32_t part, int32_t whole )
 }
 
 /// Which share of the places under the sole bears it, before and behind its ball, and how deep it is inside the ground.
-static void soleJudge( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit,
-    float ballU, soleRest* rest )
+static void soleJudge(
+    const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit, float ballU, soleRest* rest )
 {
-	float toes = leg->rig->toeSlot != SOLE_NONE ? soleClampToeSlope( work, rest->toeSlope ) : 0.0f;
+	float toes = rest->toeSlope;
 	int32_t fore = 0;
 	int32_t rear = 0;
 	for ( int32_t i = 0; i < all->count; ++i )
@@ -360,19 +363,18 @@ static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, c
 	return fit;
 }
 
-soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward, bool line )
+soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleFootprint print, bool line )
 {
 	const soleRigLeg* rig = leg->rig;
-	float scale = work->rootScale;
-	float footLength = soleMaxF( ( rig->heelBehind + rig->toeAhead ) * scale, 1e-3f * leg->length );
+	soleVec3 forward = print.forward, side = print.side;
+	float footLength = soleMaxF( ( rig->heelBehind + rig->toeAhead ) * print.along, 1e-3f * leg->length );
 	float loadAhead =
-	    scale * ( work->settings->support.loadPoint * ( rig->heelBehind + rig->toeAhead ) - rig->heelBehind );
-	soleVec3 load = soleMulAdd( center, loadAhead, forward );
-	soleVec3 side = soleCross( forward, work->up );
+	    print.along * ( work->settings->support.loadPoint * ( rig->heelBehind + rig->toeAhead ) - rig->heelBehind );
+	soleVec3 load = soleMulAdd( print.ball, loadAhead, forward );
 	soleVec3 level = soleVec( 0.0f, 0.0f, 0.0f );
 	soleRest rest = { .surface = SOLE_NONE };
 	soleRestPoints all, high;
-	soleFindPoints( work, leg, center, forward, line, loadAhead, &all );
+	soleFindPoints( leg, print, line, loadAhead, &all );
 	rest.found = all.count > 0;
 	if ( rest.found == false )
 	{
@@ -388,9 +390,10 @@ soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleVe
 	soleFit fit = soleFitSole( work, leg, &high, footLength, forward, side, &rest.steep );
 	if ( rig->toeSlot != SOLE_NONE )
 	{
-		rest.toeSlope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * scale );
+		float slope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );
+		rest.toeSlope = soleClampToeSlope( work, slope );
 	}
-	soleJudge( work, leg, &all, &fit, -loadAhead, &rest );
+	soleJudge( leg, &all, &fit, -loadAhead, &rest );
 	soleVec3 gradient = soleMulAdd( soleScale( fit.gu, forward ), fit.gv, side );
 	rest.plane = soleMakePlane( work, soleAtHeight( work, load, fit.c ), gradient );
 	const soleRestPoint* highest = high.points;

@@ -23,10 +23,7 @@ typedef struct soleRest
 	soleVec3 velocity;  // of that surface there
 } soleRest;
 
-/// @param center ball of the flat sole
-/// @param forward its heading, horizontal, unit
 /// @param line only places along the middle of the sole count: cheap, for choosing among many
-soleRest soleRestSole(
-    const solePlaceWork* work, const soleLegWork* leg, soleVec3 center, soleVec3 forward, bool line );
+soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleFootprint print, bool line );
 
 #endif

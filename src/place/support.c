@@ -79,7 +79,7 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 		}
 		int32_t first = soleMinI( i * perLeg, hitCount );
 		soleReadSamples( work, leg, hits + first, soleMinI( perLeg, hitCount - first ) );
-		soleRest rest = soleRestSole( work, leg, leg->soleCenter, leg->soleForward, false );
+		soleRest rest = soleRestSole( work, leg, leg->print, false );
 		leg->raw = rest.plane;
 		leg->toeSlope = rest.toeSlope;
 		leg->share = rest.share;
