@@ -24,9 +24,12 @@
 //
 // Heel lift. A planted foot that would overstretch its leg is rolled about its ball B before anything else gives. With
 // a0 = ankle - B, w = hip - B, side axis e, the ankle's path is a circle; |w - a|^2 = l^2 gives the cosine c of its
-// angle to w's part in that plane:  c = ( ( |a0|^2 + |w|^2 - l^2 ) / 2 - a_e w_e ) / ( r |w_p| ).
+// angle to w's part in that plane:  c = ( ( |a0|^2 + |w|^2 - l^2 ) / 2 - a_e w_e ) / ( r |w_p| ). Where c comes near 1
+// the ankle is nearly on the line from ball to hip, and a little more distance takes ever more angle, endlessly fast:
+// the end is approached softly, as the leg's own is, and what is left then is the leg's.
 #include "place/place.h"
 
+#define EASE 0.15f            // of the cosine of the heel lift
 #define NEARLY_STRAIGHT 0.05f // sine of the flexion below which the rig's hinge is leaned on
 
 // ------------------------------------------------------------------------------------------------------- two bones
@@ -125,6 +128,13 @@ soleTwoBoneResult soleSolveTwoBone( const soleTwoBoneDef* def )
 
 // -------------------------------------------------------------------------------------------------------- heel lift
 
+/// 1 is approached as by an exponential, from EASE below it on.
+static float soleEaseEnd( float cosine )
+{
+	float left = 1.0f - cosine;
+	return left < EASE ? 1.0f - EASE * soleExpNegative( soleMinF( ( EASE - left ) / EASE, 20.0f ) ) : cosine;
+}
+
 /// Rolls the foot about its ball, heel up, until the leg can be as long as `permitted` at most. Changes the ankle
 /// target and the foot.
 static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float permitted )
@@ -144,7 +154,7 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 		return;
 	}
 	float c = ( 0.5f * ( soleDot( a0, a0 ) + soleDot( w, w ) - permitted * permitted ) - ae * we ) / ( r * wl );
-	c = soleClampF( c, -1.0f, 1.0f ); // 1: rolling alone does not reach, the nearest point of the circle
+	c = soleClampF( soleEaseEnd( c ), -1.0f, 1.0f );
 	float sine = soleSqrtF( 1.0f - c * c );
 	soleVec3 u = soleScale( 1.0f / wl, wp );
 	soleVec3 v = soleCross( side, u );

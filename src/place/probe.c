@@ -9,7 +9,7 @@
 // that has just been planted reads its ground closely. Each probe is a vertical segment around the reference height
 // (the clip's floor as the root carries it), never around the foot: a foot that is inside a step still finds the step's
 // top.
-#include "place/place.h"
+#include "place/way.h"
 
 #define FLYING 0.8f           // L/s
 #define CHOICE_TIME 0.12f     // s
@@ -82,7 +82,7 @@ static void soleAimFree( const solePlaceWork* work, soleLegWork* leg )
 	const soleLegState* state = leg->state;
 	soleHalf half = soleHalfFromQuarterTan( state->turn.value );
 	soleVec3 ball = leg->ball;
-	soleVec3 normal = state->planeNormal_w;
+	soleVec3 gradient = soleGradientOf( work, state->planeNormal_w );
 	bool landing = leg->foreseen == false && leg->contactInput.heel + leg->contactInput.toe > 0.0f;
 	if ( leg->foreseen )
 	{
@@ -92,11 +92,13 @@ static void soleAimFree( const solePlaceWork* work, soleLegWork* leg )
 		float share = whole > 0.0f ? leg->stepInput.since / whole : 1.0f;
 		bool planned = ( state->flags & sole_statePlanned ) != 0;
 		ball = soleLerp( ball, byHeel, share );
-		normal = planned ? soleLerp( normal, state->stepNormal_w, share ) : normal;
+		gradient = planned ? soleLerp( gradient, soleGradientOf( work, state->stepNormal_w ), share ) : gradient;
 	}
-	// Where a tilted foot stands; on the first frame no plane is known, and one that is just coming down is on its
-	// heel.
+	// Where a tilted foot stands, by the plane as it was last used; on the first frame none is known, and a foot that
+	// is just coming down is on its heel.
+	gradient = soleAdd( gradient, state->gradient.value );
 	bool tilts = work->first == false && landing == false;
+	soleVec3 normal = soleMakePlane( work, ball, gradient ).normal;
 	soleVec3 tilt = tilts ? soleTiltShift( work, leg, normal ) : soleVec( 0.0f, 0.0f, 0.0f );
 	leg->soleCenter = soleAdd( soleAdd( ball, tilt ), state->slide.value );
 	leg->soleForward = soleRotate( soleHalfRotation( work->up, half ), leg->forward );
