@@ -147,17 +147,25 @@ static void aLineCountsTheMiddleOnly( void** state )
 	testEndSole( &s );
 }
 
-static void knownIsASoleWhoseEndsWereAskedFor( void** state )
+static void knownIsASoleThatWasAskedForFromEndToEnd( void** state )
 {
 	(void)state;
 	static testSole s;
 	testStartSole( &s, false );
-	testAddSample( &s, REST_HEEL, 0.0f, 0.0f );
-	assert_true( testRest( &s ).known == false );
-	testAddSample( &s, -0.05f, 0.0f, 0.0f );
-	assert_true( testRest( &s ).known == false );
-	testAddSample( &s, REST_TOE, 0.0f, 0.0f )->found = false;
+	for ( int32_t i = 0; i < 9; ++i )
+	{
+		assert_true( testRest( &s ).known == false );
+		float u = REST_HEEL + ( REST_TOE - REST_HEEL ) * (float)i / 8.0f;
+		testAddSample( &s, u, 0.0f, 0.0f )->found = i < 8;
+	}
+	// Whether anything was met does not matter.
 	assert_true( testRest( &s ).known );
+	// Without its middle it is not known.
+	for ( int32_t i = 3; i < 6; ++i )
+	{
+		s.samples[i].place = soleMulAdd( s.center, 1.0f, s.forward );
+	}
+	assert_true( testRest( &s ).known == ( TEST_OPEN == 0 ) ); // F10
 	testEndSole( &s );
 }
 
@@ -265,7 +273,7 @@ int main( void )
 		cmocka_unit_test( samplesThatAreMissingSayNothing ),
 		cmocka_unit_test( placesBesideTheSoleSayNothing ),
 		cmocka_unit_test( aLineCountsTheMiddleOnly ),
-		cmocka_unit_test( knownIsASoleWhoseEndsWereAskedFor ),
+		cmocka_unit_test( knownIsASoleThatWasAskedForFromEndToEnd ),
 		cmocka_unit_test( toesFollowTheGroundAheadOfTheBall ),
 		cmocka_unit_test( toesTiltASoleThatHasLittleElseToStandOn ),
 		cmocka_unit_test( toesClearTheHighestOfWhatIsAhead ),
