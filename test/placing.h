@@ -20,7 +20,7 @@ typedef struct testGround
 	float stairs; // where the first riser is; the stairs go up along z
 	float tread;  // 0: there are none
 	float rise;
-	float barFrom, barTo; // along z: as high as barHeight in between
+	float barFrom, barTo; // along z: higher by barHeight in between, where x > 0
 	float barHeight;
 } testGround;
 
@@ -33,7 +33,7 @@ static inline float testGroundHeight( const testGround* ground, float x, float z
 	{
 		height += ground->rise * ceilf( ( z - ground->stairs ) / ground->tread );
 	}
-	return height + ( z > ground->barFrom && z < ground->barTo ? ground->barHeight : 0.0f );
+	return height + ( x > 0.0f && z > ground->barFrom && z < ground->barTo ? ground->barHeight : 0.0f );
 }
 
 static inline void testCastAt( const testGround* ground, const soleProbe* probe, soleHit* hit )
@@ -42,7 +42,7 @@ static inline void testCastAt( const testGround* ground, const soleProbe* probe,
 	hit->surface = SOLE_NONE;
 	hit->asked_w = probe->start_w;
 	soleVec3 start = soleScale( 1.0f / ground->scale, soleInvRotate( ground->turn, probe->start_w ) );
-	if ( start.z > ground->hole )
+	if ( !( probe->length > 0.0f ) || start.z > ground->hole )
 	{
 		return;
 	}
@@ -151,11 +151,41 @@ static inline soleTransform testPlacedJoint( const testRun* run, int32_t joint )
 	return testJoint( &run->biped, run->placed, run->frame.root, joint );
 }
 
-/// A point of the sole that is fixed to the foot, as placed, world.
-static inline soleVec3 testPlacedPoint( const testRun* run, int32_t leg, soleVec3 bindPoint )
+/// A point of the sole as placed, world.
+/// @param fore carried by the toes
+static inline soleVec3 testPlacedPoint( const testRun* run, int32_t leg, soleVec3 bindPoint, bool fore )
 {
-	soleVec3 local = soleRig_ToFootSpace( run->biped.rig, leg, bindPoint, false );
-	return soleTransformPoint( testPlacedJoint( run, testAnkle( leg ) ), local );
+	soleVec3 local = soleRig_ToFootSpace( run->biped.rig, leg, bindPoint, fore );
+	int32_t joint = soleRig_GetFootJoint( run->biped.rig, leg, fore );
+	return soleTransformPoint( testPlacedJoint( run, joint ), local );
+}
+
+#define TEST_SOLE_POINTS 27
+
+/// Points along the middle of a sole as placed, 1 cm apart, heel first, world.
+static inline void testPlacedSole( const testRun* run, int32_t leg, soleVec3 points[TEST_SOLE_POINTS] )
+{
+	soleSolePoints sole = soleRig_GetLeg( run->biped.rig, leg ).sole;
+	for ( int32_t i = 0; i < TEST_SOLE_POINTS; ++i )
+	{
+		float share = (float)i / (float)( TEST_SOLE_POINTS - 1 );
+		soleVec3 p = soleLerp( sole.heel, sole.toe, share );
+		points[i] = testPlacedPoint( run, leg, p, p.z > sole.ball.z );
+	}
+}
+
+/// How far a sole is over the ground at its lowest, below zero: inside. Upright ground only.
+static inline float testSoleClearance( const testRun* run, int32_t leg )
+{
+	soleVec3 points[TEST_SOLE_POINTS];
+	testPlacedSole( run, leg, points );
+	float least = 1e9f;
+	for ( int32_t i = 0; i < TEST_SOLE_POINTS; ++i )
+	{
+		float height = testGroundHeight( &run->ground, points[i].x, points[i].z );
+		least = fminf( least, points[i].y - height );
+	}
+	return least;
 }
 
 /// Angle between two turns, radians: from the chord of their quaternions, which is exact near zero.

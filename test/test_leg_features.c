@@ -102,7 +102,7 @@ static void aFootThatIsTurnedOutwardsLiesOnItsSlope( void** state )
 				const soleVec3 points[] = { sole.heel, sole.ball, sole.toe, sole.inner, sole.outer };
 				for ( int32_t k = 0; k < 5; ++k )
 				{
-					soleVec3 p = soleInvRotate( run.ground.turn, testPlacedPoint( &run, leg, points[k] ) );
+					soleVec3 p = soleInvRotate( run.ground.turn, testPlacedPoint( &run, leg, points[k], false ) );
 					assert_float_equal( p.y, testGroundHeight( &run.ground, p.x, p.z ), 1e-3f );
 				}
 			}

@@ -103,9 +103,9 @@ static void anEvenSlopeIsThePlane( void** state )
 	for ( int32_t toes = 0; toes < 2; ++toes )
 	{
 		testStartSole( &s, toes == 1 );
-		for ( int32_t i = 0; i < 10; ++i )
+		for ( int32_t i = 0; i < 18; ++i )
 		{
-			float u = REST_HEEL + ( REST_TOE - REST_HEEL ) * (float)( i / 2 ) / 4.0f;
+			float u = REST_HEEL + ( REST_TOE - REST_HEEL ) * (float)( i / 2 ) / 8.0f;
 			float v = i % 2 == 0 ? 0.04f : -0.04f;
 			testAddSample( &s, u, v, 0.4f * u - 0.3f * v );
 		}

@@ -147,17 +147,25 @@ static void aLineCountsTheMiddleOnly( void** state )
 	testEndSole( &s );
 }
 
-static void knownIsASoleWhoseEndsWereAskedFor( void** state )
+static void knownIsASoleThatWasAskedForFromEndToEnd( void** state )
 {
 	(void)state;
 	static testSole s;
 	testStartSole( &s, false );
-	testAddSample( &s, REST_HEEL, 0.0f, 0.0f );
-	assert_true( testRest( &s ).known == false );
-	testAddSample( &s, -0.05f, 0.0f, 0.0f );
-	assert_true( testRest( &s ).known == false );
-	testAddSample( &s, REST_TOE, 0.0f, 0.0f )->found = false;
+	for ( int32_t i = 0; i < 9; ++i )
+	{
+		assert_true( testRest( &s ).known == false );
+		float u = REST_HEEL + ( REST_TOE - REST_HEEL ) * (float)i / 8.0f;
+		testAddSample( &s, u, 0.0f, 0.0f )->found = i < 8;
+	}
+	// Whether anything was met does not matter.
 	assert_true( testRest( &s ).known );
+	// Without its middle it is not known.
+	for ( int32_t i = 3; i < 6; ++i )
+	{
+		s.samples[i].place = soleMulAdd( s.center, 1.0f, s.forward );
+	}
+	assert_true( testRest( &s ).known == ( TEST_OPEN == 0 ) ); // F10
 	testEndSole( &s );
 }
 
@@ -201,6 +209,19 @@ static void toesFollowTheGroundAheadOfTheBall( void** state )
 	testStartSole( &s, true );
 	addBend( &s, 0.0f, 0.9f );
 	assert_float_equal( testRest( &s ).toeSlope, 0.65f, 1e-5f );
+	testEndSole( &s );
+}
+
+static void toesTiltASoleThatHasLittleElseToStandOn( void** state )
+{
+	(void)state;
+	static testSole s;
+	testStartSole( &s, true );
+	testAddSample( &s, REST_HEEL, 0.0f, 0.0f );
+	testAddSample( &s, 0.05f, 0.03f, 0.03f );
+	testAddSample( &s, 0.05f, -0.03f, 0.03f );
+	soleRest r = testRest( &s );
+	testNearPlane( &s, &r, 0.125f * ( REST_LOAD - REST_HEEL ), 0.125f, 0.0f );
 	testEndSole( &s );
 }
 
@@ -252,8 +273,9 @@ int main( void )
 		cmocka_unit_test( samplesThatAreMissingSayNothing ),
 		cmocka_unit_test( placesBesideTheSoleSayNothing ),
 		cmocka_unit_test( aLineCountsTheMiddleOnly ),
-		cmocka_unit_test( knownIsASoleWhoseEndsWereAskedFor ),
+		cmocka_unit_test( knownIsASoleThatWasAskedForFromEndToEnd ),
 		cmocka_unit_test( toesFollowTheGroundAheadOfTheBall ),
+		cmocka_unit_test( toesTiltASoleThatHasLittleElseToStandOn ),
 		cmocka_unit_test( toesClearTheHighestOfWhatIsAhead ),
 		cmocka_unit_test( theSurfaceIsThatOfTheHighestPlace ),
 	};

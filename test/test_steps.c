@@ -277,10 +277,10 @@ static void theNextOfSeveralStepsIsTold( void** state )
 		float phase = fmodf( time + 0.4f, 0.5f ); // since a strike
 		bool down = phase < 0.2f;
 		assert_true( down == ( contact.heel > 0.0f && contact.toe > 0.0f ) );
-		assert_float_equal( step.since, down ? phase : phase - 0.2f, 1e-5f );
-		assert_float_equal( step.until, down ? 0.2f - phase : 0.5f - phase, 1e-5f );
+		assert_float_equal( step.since, ( down ? phase : phase - 0.2f ), 1e-5f );
+		assert_float_equal( step.until, ( down ? 0.2f - phase : 0.5f - phase ), 1e-5f );
 		bool second = time > 0.3f && time < 0.8f;
-		assert_float_equal( step.place.z, second ? 0.2f : 0.1f, 0.0f );
+		assert_float_equal( step.place.z, ( second ? 0.2f : 0.1f ), 0.0f );
 	}
 }
 
