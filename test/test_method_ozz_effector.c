@@ -130,7 +130,17 @@ static void testEffectorIsWokenByWalking( void** state )
 		frame.root.translation.z = i < 10 ? 1.0f : 5.0f - 0.1f * (float)( i < 30 ? 30 - i : 0 );
 		frame.root.translation.y = testGroundUnder( &take, frame.root.translation ).point_w.y;
 		frame.timeStep = 1.0f / 60.0f;
-		toolMethodStep step = { &take.character, take.ground.ground, NULL, &frame, pose, flags, weights, &pelvis };
+		float shortfalls[2] = { 0 };
+		toolMethodStep step = {
+			.character = &take.character,
+			.ground = take.ground.ground,
+			.frame = &frame,
+			.pose = pose,
+			.flags = flags,
+			.plantWeights = weights,
+			.shortfalls = shortfalls,
+			.pelvisOffset = &pelvis,
+		};
 		method->step( memory, &step );
 		assert_true( i >= 30 || pelvis.y == 0.0f );
 	}
