@@ -284,7 +284,7 @@ static void aBodyThatVanishesLetsGo( void** state )
 	}
 	assert_true( isPlanted( &r, 0 ) == false && isPlanted( &r, 1 ) == false );
 	assert_true( ( r.run.out.legs[0].flags & sole_legNoGround ) != 0 );
-	assert_true( testLargestTurn( r.run.placed, r.run.pose ) < ( TEST_OPEN ? 1e-3f : 0.03f ) ); // F12
+	assert_true( testLargestTurn( r.run.placed, r.run.pose ) < 1e-3f );
 	finish( &r );
 }
 

@@ -474,6 +474,7 @@ typedef struct soleState
 	soleOffset1 second;     // weight of the second pose
 	float pelvisHeld;       // where that has to go, as low as it had to lately
 	float bodyGround;       // height of that ground over the root
+	soleVec3 bodyGradient;  // its slope, horizontal
 	float pelvisHeldTime;   // for how long it had not to, s
 	double worldOrigin[3];
 	int32_t internalValue;

@@ -7,21 +7,31 @@
 // pelvis. On even slopes and stairs the footholds lie on one line, so the body climbs steadily, whatever the root does:
 // a root that pops up a step, or lags, has no part in it.
 // The same line through what the last frame knew tells what has changed unforeseen.
+//
+// The slope of that line is not the ground's: two feet stand askew. What a host is told (bodyGradient) is the gradient
+// g of the plane through the same places that differs least from the last frame's, g0: with their covariances S and b,
+//   g = g0 + ( S + r I )^-1 ( b - S g0 )
+// so a direction in which they say nothing now keeps what was known. r grows with the frame rate, so that what is
+// known little is learnt as fast at every rate.
 #include "place/place.h"
 
+#define LEARN_TIME 0.0167f // s
 #define LEAST_SPREAD 0.03f // L: of what the body stands on, for it to have a slope
 
-/// Height of the ground that the body is over: of the line through what its legs stand on, by least squares, at the
-/// pelvis. The reference height where it stands on nothing.
-static float soleFitBodyGround( const solePlaceWork* work, bool before, soleVec3* gradient )
+/// Means and covariances of the places that the body stands on, seen from the pelvis.
+typedef struct soleBodyFit
+{
+	float weight;
+	soleVec3 ahead, aside; // the axes of u and v
+	float u, v, h;
+	float uu, uv, vv, uh, vh;
+} soleBodyFit;
+
+static soleBodyFit soleGatherPlaces( const solePlaceWork* work, bool before )
 {
 	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
 	soleVec3 ahead = soleAnyOrthogonal( work->up );
-	soleVec3 aside = soleCross( work->up, ahead );
-	*gradient = soleVec( 0.0f, 0.0f, 0.0f );
-	float least = LEAST_SPREAD * soleLongestLeg( work );
-	float w = 0.0f, u = 0.0f, v = 0.0f, h = 0.0f;
-	float uu = 0.0f, uv = 0.0f, vv = 0.0f, uh = 0.0f, vh = 0.0f;
+	soleBodyFit f = { .ahead = ahead, .aside = soleCross( work->up, ahead ) };
 	for ( int32_t i = 0; i < 2 * work->legCount; ++i )
 	{
 		const soleLegWork* leg = work->legs + i / 2;
@@ -30,41 +40,87 @@ static float soleFitBodyGround( const solePlaceWork* work, bool before, soleVec3
 		float legWeight = before ? leg->weightBefore : leg->weight;
 		float weight = counts ? legWeight * ( i % 2 == 0 ? 1.0f - stand->share : stand->share ) : 0.0f;
 		soleVec3 from = soleSub( i % 2 == 0 ? stand->from : stand->to, pelvis );
-		float du = soleDot( from, ahead ), dv = soleDot( from, aside ), dh = soleDot( from, work->up );
-		w += weight;
-		u += weight * du;
-		v += weight * dv;
-		h += weight * dh;
-		uu += weight * du * du;
-		uv += weight * du * dv;
-		vv += weight * dv * dv;
-		uh += weight * du * dh;
-		vh += weight * dv * dh;
+		float du = soleDot( from, f.ahead ), dv = soleDot( from, f.aside ), dh = soleDot( from, work->up );
+		f.weight += weight;
+		f.u += weight * du;
+		f.v += weight * dv;
+		f.h += weight * dh;
+		f.uu += weight * du * du;
+		f.uv += weight * du * dv;
+		f.vv += weight * dv * dv;
+		f.uh += weight * du * dh;
+		f.vh += weight * dv * dh;
 	}
-	if ( !( w > 0.0f ) )
+	float perWeight = f.weight > 0.0f ? 1.0f / f.weight : 0.0f;
+	f.u *= perWeight;
+	f.v *= perWeight;
+	f.h *= perWeight;
+	f.uu = f.uu * perWeight - f.u * f.u;
+	f.uv = f.uv * perWeight - f.u * f.v;
+	f.vv = f.vv * perWeight - f.v * f.v;
+	f.uh = f.uh * perWeight - f.u * f.h;
+	f.vh = f.vh * perWeight - f.v * f.h;
+	return f;
+}
+
+/// Height of the ground that the body is over: of the line through what its legs stand on, by least squares, at the
+/// pelvis. The reference height where it stands on nothing.
+static float soleFindLineHeight( const solePlaceWork* work, const soleBodyFit* f )
+{
+	if ( !( f->weight > 0.0f ) )
 	{
 		return work->reference;
 	}
-	float perWeight = 1.0f / w;
-	u *= perWeight;
-	v *= perWeight;
-	h *= perWeight;
-	uu = uu * perWeight - u * u;
-	uv = uv * perWeight - u * v;
-	vv = vv * perWeight - v * v;
-	uh = uh * perWeight - u * h;
-	vh = vh * perWeight - v * h;
 	// Along the axis on which they lie furthest apart only: across it they say nothing.
-	soleHalf axis = soleMakeHalf( uu - vv, 2.0f * uv );
-	float spread = axis.c * axis.c * uu + 2.0f * axis.c * axis.s * uv + axis.s * axis.s * vv;
-	float slope = ( axis.c * uh + axis.s * vh ) / ( spread + least * least );
-	*gradient = soleScale( slope, soleMulAdd( soleScale( axis.c, ahead ), axis.s, aside ) );
-	return soleDot( pelvis, work->up ) + h - slope * ( axis.c * u + axis.s * v );
+	float least = LEAST_SPREAD * soleLongestLeg( work );
+	soleHalf axis = soleMakeHalf( f->uu - f->vv, 2.0f * f->uv );
+	float spread = axis.c * axis.c * f->uu + 2.0f * axis.c * axis.s * f->uv + axis.s * axis.s * f->vv;
+	float slope = ( axis.c * f->uh + axis.s * f->vh ) / ( spread + least * least );
+	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
+	return soleDot( pelvis, work->up ) + f->h - slope * ( axis.c * f->u + axis.s * f->v );
+}
+
+/// The gradient of the planes that the legs stand on.
+static soleVec3 soleMeanGradient( const solePlaceWork* work )
+{
+	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
+	float weights = 0.0f;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* leg = work->legs + i;
+		float weight = leg->usable && leg->hasGround ? leg->weight : 0.0f;
+		sum = soleMulAdd( sum, weight, leg->raw.gradient );
+		weights += weight;
+	}
+	return soleScale( weights > 0.0f ? 1.0f / weights : 0.0f, sum );
+}
+
+/// Learns what the places say about the slope of the ground.
+static void soleLearnGradient( solePlaceWork* work, const soleBodyFit* f )
+{
+	soleState* state = work->state;
+	soleVec3 known = work->first ? soleMeanGradient( work ) : soleHorizontal( work, state->bodyGradient );
+	state->bodyGradient = known;
+	if ( !( f->weight > 0.0f ) || !( work->timeStep > 0.0f ) )
+	{
+		return;
+	}
+	float least = LEAST_SPREAD * soleLongestLeg( work );
+	float r = least * least * soleMaxF( LEARN_TIME / work->timeStep, 1.0f );
+	float gu = soleDot( known, f->ahead ), gv = soleDot( known, f->aside );
+	float bu = f->uh - f->uu * gu - f->uv * gv;
+	float bv = f->vh - f->uv * gu - f->vv * gv;
+	float a = soleMaxF( f->uu, 0.0f ) + r, c = soleMaxF( f->vv, 0.0f ) + r;
+	float perArea = 1.0f / soleMaxF( a * c - f->uv * f->uv, r * r );
+	known = soleMulAdd( known, perArea * ( c * bu - f->uv * bv ), f->ahead );
+	state->bodyGradient = soleMulAdd( known, perArea * ( a * bv - f->uv * bu ), f->aside );
 }
 
 void soleFindBodyGround( solePlaceWork* work )
 {
-	soleVec3 ignored;
-	work->bodyBefore = soleFitBodyGround( work, true, &ignored );
-	work->bodyGround = soleFitBodyGround( work, false, &work->bodyGradient );
+	soleBodyFit before = soleGatherPlaces( work, true );
+	soleBodyFit now = soleGatherPlaces( work, false );
+	work->bodyBefore = soleFindLineHeight( work, &before );
+	work->bodyGround = soleFindLineHeight( work, &now );
+	soleLearnGradient( work, &now );
 }

@@ -91,7 +91,7 @@ static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool down = leg->touches && leg->hasGround;
+	bool down = leg->touches && ( leg->hasGround || ( state->flags & sole_stateGround ) != 0 );
 	bool changed = leg->touches != leg->touched;
 	float time = changed ? leg->since : work->timeStep;
 	float goal = down ? 1.0f : 0.0f;

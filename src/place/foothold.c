@@ -22,21 +22,21 @@
 #include "place/rest.h"
 #include "place/way.h"
 
-#define GENTLE 0.5f      // rise per length
-#define MUCH 0.02f       // of cost, by which a place has to be better that is
-#define FAR_OFF 0.05f    // L away from the last choice, or further
-#define MISS_TIME 0.1f   // s without an answer
-#define GONE_TIME 0.035f // s of answers that there is nothing
-#define NEAR_BY 0.06f    // L: a foot this near to its foothold has come down on it
-#define UNSHIFTED 0.002f // L
-#define STEP 0.022f      // L: ground this much higher than was foreseen is another step
-#define CHANGE 0.003f    // L: ground that has moved by more is read anew
-#define FEW 0.34f        // share of the places under a sole
-#define DEPTH 0.0022f    // L
-#define ROOM 0.02f       // L
-#define NARROW 0.3f      // cost of no room at all
-#define SHIFTS 4         // to either side
-#define UNFIT 1.0f       // cost of a place that cannot be walked on, or is not known
+#define GENTLE 0.5f       // rise per length
+#define RESTEP_LIFT 0.04f // L
+#define MUCH 0.02f        // of cost, by which a place has to be better that is
+#define FAR_OFF 0.05f     // L away from the last choice, or further
+#define MISS_TIME 0.1f    // s
+#define NEAR_BY 0.06f     // L: a foot this near to its foothold has come down on it
+#define UNSHIFTED 0.002f  // L
+#define STEP 0.022f       // L: ground this much higher than was foreseen is another step
+#define CHANGE 0.003f     // L: ground that has moved by more is read anew
+#define FEW 0.34f         // share of the places under a sole
+#define DEPTH 0.0022f     // L
+#define ROOM 0.02f        // L
+#define NARROW 0.3f       // cost of no room at all
+#define SHIFTS 4          // to either side
+#define UNFIT 1.0f        // cost of a place that cannot be walked on, or is not known
 
 // ----------------------------------------------------------------------------------------------------------- where
 
@@ -250,6 +250,11 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	if ( settled == false && leg->sampleCount > 0 )
 	{
 		soleFindLift( work, leg, &way, state->stepLift );
+		// A step of its own the animation does not lift.
+		for ( int32_t i = 0; i < 3 && state->restep > 0.0f; ++i )
+		{
+			state->stepLift[i] = soleMaxF( state->stepLift[i], RESTEP_LIFT * leg->length );
+		}
 	}
 	leg->raw = soleFollowWay( work, leg, &way, leg->soleCenter );
 	leg->out->flags |= (uint32_t)sole_legPlanned;
@@ -367,14 +372,13 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 	leg->toeSlope = state->toeSlope;
 }
 
-/// Answers that fail or stay away for a moment, while a foot stands, mean nothing: the ground is taken to be where it
-/// was.
+/// Answers that fail for a moment, while a foot stands, mean nothing: the ground is taken to be where it was.
 static void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
 	soleLegState* state = leg->state;
 	bool missed = leg->hasGround == false && leg->foreseen == false && leg->hadGround && leg->touches;
 	state->missTime = missed ? state->missTime + work->timeStep : 0.0f;
-	if ( missed && state->missTime < ( leg->sampleCount > 0 ? GONE_TIME : MISS_TIME ) )
+	if ( missed && state->missTime < MISS_TIME )
 	{
 		leg->hasGround = true;
 		leg->missed = true;
@@ -430,9 +434,11 @@ static void soleInertialise( solePlaceWork* work, soleLegWork* leg, solePlane ol
 	if ( work->first == false )
 	{
 		const soleSettings* s = work->settings;
-		state->height.value += solePlaneHeight( work, old, leg->raw.point ) - soleDot( leg->raw.point, work->up );
+		// Where there is no ground, and was none, the reference plane goes with the root: nothing of it is left behind.
+		float step = solePlaneHeight( work, old, leg->raw.point ) - soleDot( leg->raw.point, work->up );
+		state->height.value += leg->hasGround || leg->hadGround ? step : 0.0f;
 		state->gradient.value = soleAdd( state->gradient.value, soleSub( old.gradient, leg->raw.gradient ) );
-		bool locked = ( state->flags & sole_stateLocked ) != 0;
+		bool locked = ( state->flags & sole_stateLocked ) != 0 && leg->hasGround;
 		float heightHalfLife = locked ? s->support.plantedHalfLife : s->support.heightHalfLife;
 		float gradientHalfLife = locked ? s->support.plantedHalfLife : s->support.gradientHalfLife;
 		state->height = soleDecayOffset1( state->height, heightHalfLife, work->timeStep );

@@ -68,7 +68,8 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 	    soleIsFinite( state->pelvis.velocity ) &&
 	    soleIsFinite( state->pelvisLead.value + state->pelvisLead.velocity ) && soleIsFinite( state->pelvisHeld ) &&
 	    soleIsFinite( state->pelvisHeldTime + state->bodyGround + state->second.value + state->second.velocity ) &&
-	    soleVec3_IsFinite( state->balance.value ) && soleVec3_IsFinite( state->balance.velocity );
+	    soleVec3_IsFinite( state->bodyGradient ) && soleVec3_IsFinite( state->balance.value ) &&
+	    soleVec3_IsFinite( state->balance.velocity );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
 		const soleLegState* leg = state->legs + i;

@@ -11,6 +11,7 @@
 #include "place/place.h"
 
 #define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
+#define PATIENCE 2.0f // times the strain at which a lock is given up, while the foot waits to step over
 #define SHORT 0.1f    // L: a leg whose foot can't come nearer than this to where it is held gives up
 
 /// The turn about up that takes one heading to another.
@@ -88,7 +89,11 @@ static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float tim
 	}
 	else if ( leg->told && leg->touches && soleIsComingDown( work, leg ) )
 	{
-		// It is down, and comes to rest with the animation.
+		// It is down, and comes to rest with the animation; what was left of its way when it came down is over.
+		bool came = leg->touched == false && ( state->flags & sole_stateForeseen ) != 0;
+		soleVec3 meant = soleSub( state->stepLanding_w, work->root_w );
+		soleVec3 goal = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), meant ) );
+		state->slide.value = came ? goal : state->slide.value;
 		state->slide.velocity = soleVec( 0.0f, 0.0f, 0.0f );
 	}
 	else
@@ -232,7 +237,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	{
 		soleKeepLock( work, leg );
 		float strain = soleFindStrain( work, leg );
-		bool strained = strain > 1.0f || state->shortfall > SHORT;
+		bool strained = strain > ( leg->waits ? PATIENCE : 1.0f ) || state->shortfall > SHORT;
 		if ( possible == false || strained )
 		{
 			state->flags |= strained ? (uint32_t)sole_stateBarred : 0u;

@@ -85,7 +85,7 @@ static void soleWritePelvis( solePlaceWork* work )
 	out->capsuleShorter = 0.5f * soleMaxF( -work->pelvisShift, 0.0f );
 	out->capsuleOffset = -out->capsuleShorter;
 	out->secondWeight = work->second;
-	out->bodyGradient_w = work->bodyGradient;
+	out->bodyGradient_w = work->state->bodyGradient;
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
 	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
 		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }

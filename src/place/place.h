@@ -141,6 +141,7 @@ typedef struct soleLegWork
 	soleStand standBefore; // as the last frame knew it, for the time of this one
 
 	// lock
+	bool waits;           // to step over, for another foot
 	bool planted;         // is held
 	soleVec3 anchor;      // animated point that is held or led: ball or heel, dropped on the clip's floor
 	soleVec3 anchorGoal;  // where it goes, horizontal place
@@ -180,14 +181,13 @@ typedef struct solePlaceWork
 	bool first;            // nothing is remembered
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
-	float pelvisShift;     // along up
-	float second;          // weight of the second pose in this frame
-	float weight;          // of the whole: the largest of the legs'
-	soleVec3 balance;      // of the pelvis, horizontal
-	soleVec3 bodyGradient; // slope of the ground that the body is over
-	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
-	float bodyGround;      // height of the ground that the body is over
-	float bodyBefore;      // the same by what the last frame knew
+	float pelvisShift; // along up
+	float second;      // weight of the second pose in this frame
+	float weight;      // of the whole: the largest of the legs'
+	soleVec3 balance;  // of the pelvis, horizontal
+	float carriedUp;   // how far along up the bodies that legs stand on have moved since the last frame
+	float bodyGround;  // height of the ground that the body is over
+	float bodyBefore;  // the same by what the last frame knew
 	soleTransform slots[SOLE_MAX_SLOTS];
 
 	int32_t legCount;

@@ -39,6 +39,7 @@ typedef struct soleRestPoints
 	int32_t asked;      // places under the sole, with those where nothing was met
 	int32_t askedAhead; // those ahead of the ball line
 	bool atHeel, atToe; // places near both ends of the sole were asked for
+	float gap;          // largest distance between those asked for in between
 } soleRestPoints;
 
 /// c + gu u + gv v
@@ -48,6 +49,22 @@ typedef struct soleFit
 } soleFit;
 
 // ------------------------------------------------------------------------------------------------------- footprint
+
+/// Largest distance from one place to the next one ahead of it.
+static float soleFindGap( const float* places, int32_t count )
+{
+	float largest = 0.0f;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		float next = 1e9f;
+		for ( int32_t k = 0; k < count; ++k )
+		{
+			next = places[k] > places[i] ? soleMinF( next, places[k] - places[i] ) : next;
+		}
+		largest = next < 1e9f ? soleMaxF( largest, next ) : largest;
+	}
+	return largest;
+}
 
 static void soleFindPoints(
     const soleLegWork* leg, soleFootprint print, bool line, float loadAhead, soleRestPoints* found )
@@ -60,6 +77,8 @@ static void soleFindPoints(
 	float outer = rig->outerSide * print.across;
 	float right = soleMaxF( inner, outer );
 	float left = soleMinF( inner, outer );
+	float asked[MAX_POINTS];
+	int32_t askedCount = 0;
 	found->count = 0;
 	found->asked = 0;
 	found->askedAhead = 0;
@@ -77,6 +96,7 @@ static void soleFindPoints(
 		{
 			continue;
 		}
+		asked[askedCount++] = u;
 		bool under = u > heel - 0.1f * margin && u < toe + 0.1f * margin;
 		bool ahead = u > 0.1f * toe;
 		found->asked += under ? 1 : 0;
@@ -89,6 +109,7 @@ static void soleFindPoints(
 			*p = ( soleRestPoint ){ u - loadAhead, v, sample->height, ahead, under, found->count - 1, sample };
 		}
 	}
+	found->gap = soleFindGap( asked, askedCount );
 }
 
 // ---------------------------------------------------------------------------------------------------------- levels
@@ -333,7 +354,7 @@ static void soleJudge(
 		fore += bears && p->ahead ? 1 : 0;
 		rear += bears && p->ahead == false ? 1 : 0;
 	}
-	rest->known = all->atHeel && all->atToe;
+	rest->known = all->atHeel && all->atToe && all->gap < 4.0f * MARGIN * leg->length;
 	rest->share = soleShareOf( fore + rear, all->asked );
 	rest->foreShare = soleShareOf( fore, all->askedAhead );
 	rest->rearShare = soleShareOf( rear, all->asked - all->askedAhead );

@@ -59,7 +59,9 @@ static bool soleIsBusy( const solePlaceWork* work, const soleLegWork* leg )
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		const soleLegWork* other = work->legs + i;
-		bool counts = other != leg && other->usable && other->hasGround;
+		// A foot in flight is not asked about its ground in every frame: what it stands on is in its memory.
+		bool stands = other->hasGround || ( other->state->flags & sole_stateGround ) != 0;
+		bool counts = other != leg && other->usable && stands;
 		busy = busy || ( counts && ( other->touches == false || other->state->restep > -APART ) );
 	}
 	return busy;
@@ -76,7 +78,9 @@ void soleTakeResteps( solePlaceWork* work )
 		}
 		soleLegState* state = leg->state;
 		state->restep = soleMaxF( state->restep - work->timeStep, -APART );
-		if ( soleWantsStep( work, leg ) && soleIsBusy( work, leg ) == false )
+		bool wants = soleWantsStep( work, leg );
+		leg->waits = wants && soleIsBusy( work, leg );
+		if ( wants && leg->waits == false )
 		{
 			float time = soleMaxF( work->settings->contact.replantTime, LEAST );
 			float far = soleFindStray( work, leg ) / ( PACE * leg->length );
