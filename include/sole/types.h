@@ -138,6 +138,24 @@ typedef enum soleLockPivot
 	sole_pivotForce32 = 0x7fffffff
 } soleLockPivot;
 
+/// Which feet the pelvis goes with.
+typedef enum solePelvisFollow
+{
+	sole_followSteps = 0,   // the line through all footholds, those to come included: even on stairs
+	sole_followPlanted = 1, // the same through the feet that are planted
+	sole_followLowest = 2,  // the foot with the lowest ground
+	sole_followForce32 = 0x7fffffff
+} solePelvisFollow;
+
+/// Who moves the pelvis.
+typedef enum solePelvisMode
+{
+	sole_pelvisJoint = 0,  // soleOutput.pelvisTranslation_l
+	sole_pelvisRoot = 1,   // the host: it draws the whole character moved by soleOutput.pelvisOffset_w
+	sole_pelvisReport = 2, // nobody: legs do what they can with the pelvis as animated, and the offset is only told
+	sole_pelvisForce32 = 0x7fffffff
+} solePelvisMode;
+
 /// Every tunable. Plain data, may change every frame. Start from soleDefaultSettings(); a value out of its range is
 /// clamped into it. Names, units, ranges, defaults and one sentence each: soleGetSettingInfos().
 typedef struct soleSettings
@@ -150,7 +168,9 @@ typedef struct soleSettings
 		float stepUp;           // start of a probe above the reference height. L [0.05, 2] default 0.45
 		float stepDown;         // end of a probe below the reference height. L [0.05, 4] default 0.55
 		float looseSize;        // loose things smaller than this are no ground. L [0, 2] default 0.1
-		uint32_t mask;          // layers that are asked for. default all
+		float sleep;   // a foot that has stood still for so long asks one probe alone, until something changes. 0: none
+		               // does. s [0, 60] default 0
+		uint32_t mask; // layers that are asked for. default all
 	} probe;
 
 	struct
@@ -175,8 +195,8 @@ typedef struct soleSettings
 		float heightOff;       // higher than this releases. L [0, 1] default 0.05
 		float settle;          // a foot that looks planted for this long is. s [0, 1] default 0.033
 		soleLockPivot pivot;   // what a held foot turns about. [0, 2] default 0, none
-		float lockDistance;    // a lock is given up further than this from where it began, seen from the animation. L
-		                       // [0, 2] default 0.25
+		float lockDistance;    // a lock is given up further than this from where it began, seen from the animation. 0:
+		                       // no foot is locked. L [0, 2] default 0.25
 		float lockAngle;       // or turned further than this. rad [0, 3] default 0.79 (45 degrees)
 		float relock;          // share of both within which a lock that was given up may begin anew. [0, 1] default 0.4
 		float replantDistance; // a foot at rest that is further off than this steps over. L [0, 2] default 0.1
@@ -198,8 +218,15 @@ typedef struct soleSettings
 
 	struct
 	{
-		float align;       // share of the ground's slope that a planted foot follows. [0, 1] default 1
-		float toeOutLeft;  // a left foot is turned outwards by this. rad [-1.5, 1.5] default 0
+		float align;   // share of the ground's slope that a planted foot follows. [0, 1] default 1
+		float maxTilt; // furthest that the ground tilts a foot. rad [0, 1.5] default 1.5
+		float height;  // soles are kept this far over the ground. L [-0.5, 0.5] default 0
+		float flight;  // share of the placement that a foot in flight keeps. [0, 1] default 1
+		float moving;  // share that is left while the root moves. [0, 1] default 1
+		float
+		    unreachable;  // share that is left to a foot whose ground is too low, too high or too steep. [0, 1] default
+		                  // 1
+		float toeOutLeft; // a left foot is turned outwards by this. rad [-1.5, 1.5] default 0
 		float toeOutRight; // a right foot. rad [-1.5, 1.5] default 0
 		float blendIn;     // time in which a weight rises from 0 to 1. s [0, 10] default 0.2
 		float blendOut;    // time in which it falls. s [0, 10] default 0.15
@@ -210,9 +237,11 @@ typedef struct soleSettings
 
 	struct
 	{
-		float down;     // furthest down. L [0, 1] default 0.45
-		float up;       // furthest up. L [0, 1] default 0.1
-		float halfLife; // s [0, 2] default 0.08
+		solePelvisFollow follow; // which feet it goes with. [0, 2] default 0, the steps
+		solePelvisMode mode;     // who moves it. [0, 2] default 0, its joint
+		float down;              // furthest down. L [0, 1] default 0.45
+		float up;                // furthest up. L [0, 1] default 0.1
+		float halfLife;          // s [0, 2] default 0.08
 		float hold;    // it stays down for so long after it had to, to be there for the next step. s [0, 4] default 1.2
 		float release; // half-life of its way up from there. s [0, 4] default 0.2
 		float speed;   // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.9
@@ -476,6 +505,7 @@ typedef struct soleState
 	float bodyGround;       // height of that ground over the root
 	soleVec3 bodyGradient;  // its slope, horizontal
 	float pelvisHeldTime;   // for how long it had not to, s
+	float unmetTime;        // for how long nothing was met, s
 	double worldOrigin[3];
 	int32_t internalValue;
 	soleLegState legs[SOLE_MAX_LEGS];
@@ -501,6 +531,9 @@ typedef enum soleLegFlags
 	sole_legBadInput = 1 << 12,    // something not finite came in: the leg is passed through untouched
 	sole_legInside = 1 << 13,      // a cast began inside something and was left out
 	sole_legPlanned = 1 << 14,     // the foot is on its way to a foothold that was chosen
+	sole_legTooLow = 1 << 15,      // the ground is lower than the leg can reach with the pelvis as low as it may go
+	sole_legTooHigh = 1 << 16,     // the ground is higher than the leg can fold with the pelvis as high as it may go
+	sole_legAsleep = 1 << 17,      // the foot asks one probe alone
 	sole_legFlagsForce32 = 0x7fffffff
 } soleLegFlags;
 
@@ -539,7 +572,7 @@ typedef struct soleLegOutput
 /// The new pose. Finite and usable whatever went in.
 typedef struct soleOutput
 {
-	/// Movement of the pelvis, world.
+	/// Movement of the pelvis, world. Where settings.pelvis.mode leaves it to the host, what the host is to move.
 	soleVec3 pelvisOffset_w;
 	/// New parent-local translation of the pelvis joint.
 	soleVec3 pelvisTranslation_l;
@@ -547,10 +580,16 @@ typedef struct soleOutput
 	/// middle moves along up. World.
 	float capsuleShorter;
 	float capsuleOffset;
+	/// How far the ground that the body is over lies over the root's floor, along up, world: by this a host without a
+	/// character controller moves its root to keep it on the ground.
+	float groundOffset;
 	/// How much of the second pose is in this one. [0, 1]
 	float secondWeight;
 	/// Slope of the ground that the body is over, horizontal, rise per length: for a host that leans the trunk.
 	soleVec3 bodyGradient_w;
+	/// For how long no probe of any leg has met anything, s. What grows from the first frame on is no gap in the
+	/// ground: a mask, a layer or a cast is wrong.
+	float unmetTime;
 	/// Legs that are filled in.
 	int32_t legCount;
 	soleLegOutput legs[SOLE_MAX_LEGS];

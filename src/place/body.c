@@ -8,6 +8,9 @@
 // a root that pops up a step, or lags, has no part in it.
 // The same line through what the last frame knew tells what has changed unforeseen.
 //
+// Settings may have the pelvis go with planted feet alone, each in full once it has its full say, or with the lowest
+// foot as others do: then it is the springs of the pelvis that keep it from jumping.
+//
 // The slope of that line is not the ground's: two feet stand askew. What a host is told (bodyGradient) is the gradient
 // g of the plane through the same places that differs least from the last frame's, g0: with their covariances S and b,
 //   g = g0 + ( S + r I )^-1 ( b - S g0 )
@@ -38,6 +41,7 @@ static soleBodyFit soleGatherPlaces( const solePlaceWork* work, bool before )
 		const soleStand* stand = before ? &leg->standBefore : &leg->stand;
 		bool counts = leg->usable && ( before ? leg->hadGround : leg->hasGround );
 		float legWeight = before ? leg->weightBefore : leg->weight;
+		legWeight *= work->settings->pelvis.follow == sole_followPlanted ? leg->state->plantWeight : 1.0f;
 		float weight = counts ? legWeight * ( i % 2 == 0 ? 1.0f - stand->share : stand->share ) : 0.0f;
 		soleVec3 from = soleSub( i % 2 == 0 ? stand->from : stand->to, pelvis );
 		float du = soleDot( from, f.ahead ), dv = soleDot( from, f.aside ), dh = soleDot( from, work->up );
@@ -78,6 +82,28 @@ static float soleFindLineHeight( const solePlaceWork* work, const soleBodyFit* f
 	float slope = ( axis.c * f->uh + axis.s * f->vh ) / ( spread + least * least );
 	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
 	return soleDot( pelvis, work->up ) + f->h - slope * ( axis.c * f->u + axis.s * f->v );
+}
+
+/// The lowest ground under a foot; the reference height where there is none. What it does is not foreseen: the pelvis
+/// goes after it.
+static void soleFollowLowest( solePlaceWork* work )
+{
+	const soleState* state = work->state;
+	bool any = false;
+	float lowest = work->reference;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* leg = work->legs + i;
+		if ( leg->usable && leg->hasGround && leg->weight > 0.0f )
+		{
+			float height = solePlaneHeight( work, leg->raw, leg->ankle );
+			lowest = any ? soleMinF( lowest, height ) : height;
+			any = true;
+		}
+	}
+	float moved = soleDot( soleSub( work->root_w, state->root_w ), work->up );
+	work->bodyGround = lowest;
+	work->bodyBefore = work->first ? lowest : state->bodyGround - moved + work->carriedUp;
 }
 
 /// The gradient of the planes that the legs stand on.
@@ -123,4 +149,8 @@ void soleFindBodyGround( solePlaceWork* work )
 	work->bodyBefore = soleFindLineHeight( work, &before );
 	work->bodyGround = soleFindLineHeight( work, &now );
 	soleLearnGradient( work, &now );
+	if ( work->settings->pelvis.follow == sole_followLowest )
+	{
+		soleFollowLowest( work );
+	}
 }

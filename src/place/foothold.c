@@ -358,7 +358,11 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 	soleLegState* state = leg->state;
 	solePlane chosen = soleGetChosen( work, state );
 	float over = soleHeightOver( work, leg->raw, chosen );
-	bool compared = ( state->flags & sole_stateCompared ) != 0;
+	// One that falls asleep or wakes up asks for other places: those are compared from then on.
+	bool asleep = ( state->flags & sole_stateAsleep ) != 0;
+	bool compared = ( state->flags & sole_stateCompared ) != 0 && asleep == leg->asleep;
+	state->flags &= ~(uint32_t)sole_stateAsleep;
+	state->flags |= leg->asleep ? (uint32_t)sole_stateAsleep : 0u;
 	float change = over - state->chosenOver;
 	float most = CHANGE * leg->length;
 	if ( leg->hasGround == false || ( compared && ( change > most || change < -most ) ) )
@@ -486,6 +490,7 @@ void soleChooseFootholds( solePlaceWork* work )
 		state->flags |= leg->hasGround ? (uint32_t)sole_stateGround : 0u;
 		soleInertialise( work, leg, old, oldToe );
 		leg->out->flags |= leg->hasGround ? 0u : (uint32_t)sole_legNoGround;
+		leg->out->flags |= leg->asleep ? (uint32_t)sole_legAsleep : 0u;
 		leg->out->heightDemand = soleDot( leg->plane.point, work->up ) - work->reference;
 	}
 }

@@ -67,7 +67,8 @@ static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->pelvis.value ) &&
 	    soleIsFinite( state->pelvis.velocity ) &&
 	    soleIsFinite( state->pelvisLead.value + state->pelvisLead.velocity ) && soleIsFinite( state->pelvisHeld ) &&
-	    soleIsFinite( state->pelvisHeldTime + state->bodyGround + state->second.value + state->second.velocity ) &&
+	    soleIsFinite( state->pelvisHeldTime + state->unmetTime + state->bodyGround + state->second.value +
+	        state->second.velocity ) &&
 	    soleVec3_IsFinite( state->bodyGradient ) && soleVec3_IsFinite( state->balance.value ) &&
 	    soleVec3_IsFinite( state->balance.velocity );
 	for ( int32_t i = 0; i < legCount; ++i )
@@ -104,16 +105,6 @@ void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state
 	soleShiftState( state, frame, rig->legCount );
 }
 
-static float soleLongestRigLeg( const soleRig* rig )
-{
-	float longest = 0.0f;
-	for ( int32_t i = 0; i < rig->legCount; ++i )
-	{
-		longest = soleMaxF( longest, rig->legs[i].length );
-	}
-	return longest;
-}
-
 /// A new start: nothing of an earlier place is left.
 static void soleForget( soleState* state, int32_t legCount )
 {
@@ -143,35 +134,6 @@ static soleStepInput soleTakeStepInput( const soleFrame* frame, int32_t leg )
 	return finite ? *step : unknown;
 }
 
-static float soleReadWeight( const float* weights, int32_t leg )
-{
-	return weights != NULL ? soleSaturate( soleFiniteOr( weights[leg], 0.0f ) ) : 1.0f;
-}
-
-/// One step of a weight towards what the host wants.
-static float soleBlend( const solePlaceWork* work, float now, float wanted )
-{
-	float time = wanted > now ? work->settings->target.blendIn : work->settings->target.blendOut;
-	float most = time > 0.0f ? work->timeStep / time : 1.0f;
-	return work->first ? wanted : soleClampF( wanted, now - most, now + most );
-}
-
-/// Weights come and go smoothly, whatever the host does.
-static void soleBlendWeights( solePlaceWork* work, soleLegWork* leg )
-{
-	const soleFrame* frame = work->frame;
-	float whole = soleSaturate( frame->weight ) * soleReadWeight( frame->legWeight, leg->index );
-	float position = whole * soleReadWeight( frame->positionWeight, leg->index );
-	float rotation = whole * soleReadWeight( frame->rotationWeight, leg->index );
-	leg->weightBefore = leg->state->positionWeight;
-	leg->state->positionWeight = soleBlend( work, leg->state->positionWeight, position );
-	leg->state->rotationWeight = soleBlend( work, leg->state->rotationWeight, rotation );
-	leg->weight = leg->state->positionWeight;
-	leg->weightBefore = work->first ? leg->weight : leg->weightBefore;
-	leg->turnWeight = leg->state->rotationWeight;
-	work->weight = soleMaxF( work->weight, leg->weight );
-}
-
 void soleSetUpFrame( solePlaceWork* work )
 {
 	const soleFrame* frame = work->frame;
@@ -189,7 +151,7 @@ void soleSetUpFrame( solePlaceWork* work )
 	work->first = work->state->frameCount == 0 || frame->teleport || work->timeStep > FORGET_TIME;
 	if ( work->first == false )
 	{
-		float scaled = soleLongestRigLeg( work->rig ) * work->rootScale;
+		float scaled = soleLongestRigLeg( work );
 		float moved = soleDistance( work->root_w, work->state->root_w );
 		work->first = moved > TELEPORT * scaled && moved > 20.0f * scaled * work->timeStep;
 		soleVec3 travel = soleHorizontal( work, soleSub( work->root_w, work->state->root_w ) );
@@ -208,13 +170,13 @@ void soleSetUpFrame( solePlaceWork* work )
 		*leg = ( soleLegWork ){ .rig = work->rig->legs + i, .state = work->state->legs + i, .index = i };
 		leg->out = work->out->legs + i;
 		leg->samples = work->samples[i];
-		soleBlendWeights( work, leg );
 		leg->contactInput = ( soleContactInput ){ -1.0f, -1.0f };
 		if ( frame->contact != NULL && soleIsFinite( frame->contact[i].heel + frame->contact[i].toe ) )
 		{
 			leg->contactInput = frame->contact[i];
 		}
 		leg->stepInput = soleTakeStepInput( frame, i );
+		soleBlendWeights( work, leg );
 	}
 	soleCarryLegs( work );
 }

@@ -232,7 +232,8 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool possible = leg->touches && leg->hasGround && leg->weight > 0.0f && leg->weight == leg->weightBefore;
+	bool locks = work->settings->contact.lockDistance > 0.0f;
+	bool possible = locks && leg->touches && leg->hasGround && leg->weight > 0.0f && leg->weight == leg->weightBefore;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );

@@ -267,4 +267,10 @@ void soleMovePelvis( solePlaceWork* work )
 	}
 	state->bodyGround = work->bodyGround;
 	work->pelvisShift = soleFiniteOr( work->weight * ( over + state->pelvis.value ), 0.0f );
+	work->pelvisWanted = soleMulAdd( work->balance, work->pelvisShift, work->up );
+	if ( s->pelvis.mode == sole_pelvisReport )
+	{
+		work->pelvisShift = 0.0f;
+		work->balance = soleVec( 0.0f, 0.0f, 0.0f );
+	}
 }

@@ -80,12 +80,17 @@ static void soleScrubOutput( const soleRig* rig, soleOutput* out )
 static void soleWritePelvis( solePlaceWork* work )
 {
 	soleOutput* out = work->out;
-	out->pelvisOffset_w = soleMulAdd( work->balance, work->pelvisShift, work->up );
+	out->pelvisOffset_w = work->pelvisWanted;
+	out->groundOffset = soleFiniteOr( work->bodyGround - work->reference, 0.0f );
 	// A capsule that has lost half of what the pelvis has gone down, at both ends, still stands on the ground.
-	out->capsuleShorter = 0.5f * soleMaxF( -work->pelvisShift, 0.0f );
+	out->capsuleShorter = 0.5f * soleMaxF( -soleDot( work->pelvisWanted, work->up ), 0.0f );
 	out->capsuleOffset = -out->capsuleShorter;
 	out->secondWeight = work->second;
 	out->bodyGradient_w = work->state->bodyGradient;
+	if ( work->settings->pelvis.mode != sole_pelvisJoint )
+	{
+		return;
+	}
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
 	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
 		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }
@@ -112,6 +117,7 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	soleChooseFootholds( work );
 	soleUpdateLocks( work );
 	soleSetTargets( work );
+	soleClassReach( work );
 	soleDemandSecondPose( work );
 	soleFindBodyGround( work );
 	soleMovePelvis( work );

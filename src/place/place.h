@@ -26,6 +26,10 @@ enum
 	sole_stateRides = 1 << 10,   // its body is one that the host lists
 	sole_stateForeseen = 1 << 9, // it has come down where it was planned to, a frame ago
 	sole_stateGround = 1 << 6,   // there was ground
+	sole_stateTooLow = 1 << 12,  // which was out of reach
+	sole_stateTooHigh = 1 << 13,
+	sole_stateTooSteep = 1 << 14,
+	sole_stateAsleep = 1 << 15, // one probe was asked for
 };
 
 /// What the ground is like at one place that was asked for.
@@ -108,6 +112,7 @@ typedef struct soleLegWork
 	bool foreseen;        // in flight, and where and when it will come down is known
 	bool choosing;        // the foothold is to be chosen, or once more
 	bool reading;         // it is settled, and its ground is to be read closely
+	bool asleep;          // it has stood still for long: one probe will do
 	soleVec3 landing;     // ball of the flat sole then, as the animation has it
 	soleVec3 landingForward;
 	soleVec3 travel; // of the root until then
@@ -149,7 +154,8 @@ typedef struct soleLegWork
 	soleVec3 anchorShift; // puts the ankle of a tilted foot over its animated place, horizontal
 
 	// target
-	soleQuat image; // rotation from the clip's floor to the plane
+	soleQuat image;       // rotation from the clip's floor to the plane
+	soleVec3 ankleWanted; // at full weight
 	soleVec3 ankleTarget;
 	soleQuat footTarget;
 	soleVec3 pivotTarget; // about which the heel is raised
@@ -181,13 +187,14 @@ typedef struct solePlaceWork
 	bool first;            // nothing is remembered
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
-	float pelvisShift; // along up
-	float second;      // weight of the second pose in this frame
-	float weight;      // of the whole: the largest of the legs'
-	soleVec3 balance;  // of the pelvis, horizontal
-	float carriedUp;   // how far along up the bodies that legs stand on have moved since the last frame
-	float bodyGround;  // height of the ground that the body is over
-	float bodyBefore;  // the same by what the last frame knew
+	soleVec3 pelvisWanted; // by how much it should move
+	float pelvisShift;     // how far it does along up
+	float second;          // weight of the second pose in this frame
+	float weight;          // of the whole: the largest of the legs'
+	soleVec3 balance;      // and sideways, horizontal
+	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
+	float bodyGround;      // height of the ground that the body is over
+	float bodyBefore;      // the same by what the last frame knew
 	soleTransform slots[SOLE_MAX_SLOTS];
 
 	int32_t legCount;
@@ -218,25 +225,13 @@ static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point
 	return ( solePlane ){ point, soleNormalizeOr( soleSub( work->up, gradient ), work->up ), gradient };
 }
 
-/// The part of a foot's place that a tilted plane adds: the ankle stands over its animated place, so the sole moves
-/// uphill by what the ankle would else move downhill. Horizontal.
-static inline soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWork* leg, soleVec3 normal )
-{
-	return soleScale( -leg->rig->ankleHeight * work->rootScale, soleHorizontal( work, normal ) );
-}
-
-/// With R the turn from up U to a plane's normal N, f . R f = 1 - ( f . N )^2 / ( 1 + U . N ) for horizontal f.
-static inline soleFootprint soleMakeFootprint(
-    const solePlaceWork* work, soleVec3 ball, soleVec3 forward, soleVec3 normal )
-{
-	soleVec3 side = soleCross( forward, work->up );
-	float perLean = 1.0f / ( 1.0f + soleMaxF( soleDot( work->up, normal ), 0.0f ) );
-	float pitch = soleDot( forward, normal );
-	float roll = soleDot( side, normal );
-	float along = work->rootScale * ( 1.0f - pitch * pitch * perLean );
-	float across = work->rootScale * ( 1.0f - roll * roll * perLean );
-	return ( soleFootprint ){ ball, forward, side, along, across };
-}
+/// Share of a slope that a sole follows.
+float soleFindAlign( const solePlaceWork* work, soleVec3 gradient );
+/// The part of a foot's place that ground of some normal adds: the ankle stands over its animated place, so the sole
+/// moves uphill by what the ankle would else move downhill. Horizontal.
+soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWork* leg, soleVec3 normal );
+/// A sole on such ground.
+soleFootprint soleMakeFootprint( const solePlaceWork* work, soleVec3 ball, soleVec3 forward, soleVec3 normal );
 
 /// The foothold that was chosen, without that part.
 static inline soleVec3 soleLevelPlace( const solePlaceWork* work, const soleLegWork* leg )
@@ -273,6 +268,17 @@ static inline float soleLongestLeg( const solePlaceWork* work )
 		longest = soleMaxF( longest, work->legs[i].usable ? work->legs[i].length : 0.0f );
 	}
 	return longest;
+}
+
+/// As the rig has it, of the root's scale: known before the legs are.
+static inline float soleLongestRigLeg( const solePlaceWork* work )
+{
+	float longest = 0.0f;
+	for ( int32_t i = 0; i < work->rig->legCount; ++i )
+	{
+		longest = soleMaxF( longest, work->rig->legs[i].length );
+	}
+	return longest * work->rootScale;
 }
 
 /// How long a leg may be: nothing is softened up to soft, nothing is longer than hard. An animation that stretches
@@ -313,6 +319,9 @@ void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state
 /// Fills in what all stages share. Forgets everything after a jump.
 void soleSetUpFrame( solePlaceWork* work );
 
+/// How much of the placement a leg gets: as far as all weights are blended in.
+void soleBlendWeights( solePlaceWork* work, soleLegWork* leg );
+
 /// Moves what legs remember with the bodies that they stand on; keeps those bodies for the next frame.
 void soleCarryLegs( solePlaceWork* work );
 void soleRememberBodies( solePlaceWork* work );
@@ -341,6 +350,8 @@ void soleChooseFootholds( solePlaceWork* work );
 void soleUpdateLocks( solePlaceWork* work );
 /// Ankle and foot goals.
 void soleSetTargets( solePlaceWork* work );
+/// Whose ground is out of reach.
+void soleClassReach( solePlaceWork* work );
 /// How much of the second pose the ground demands.
 void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.

@@ -8,7 +8,7 @@
 // foreseen asks under itself and a little ahead of its toes. (The strip is asked for a few times on the way only.) One
 // that has just been planted reads its ground closely. Each probe is a vertical segment around the reference height
 // (the clip's floor as the root carries it), never around the foot: a foot that is inside a step still finds the step's
-// top.
+// top. One that has stood still for long asks for one place alone, by setting, until what it hears there changes.
 #include "place/way.h"
 
 #define FLYING 0.8f           // L/s
@@ -119,8 +119,12 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 	const soleLegState* state = leg->state;
 	leg->choosing = leg->foreseen && ( ( state->flags & sole_statePlanned ) == 0 || soleIsTimeToChoose( work, leg ) );
 	float freeze = work->settings->foothold.freeze;
-	leg->reading = leg->foreseen && ( state->flags & sole_statePlanned ) != 0 && leg->stepInput.until < freeze &&
-	    leg->stepInput.until + work->timeStep >= freeze;
+	bool closely = work->settings->probe.layout != sole_probeSingle;
+	leg->reading = closely && leg->foreseen && ( state->flags & sole_statePlanned ) != 0 &&
+	    leg->stepInput.until < freeze && leg->stepInput.until + work->timeStep >= freeze;
+	const uint32_t settled = (uint32_t)( sole_stateLocked | sole_stateChosen );
+	float sleep = work->settings->probe.sleep;
+	leg->asleep = sleep > 0.0f && ( state->flags & settled ) == settled && state->time > sleep;
 	leg->flying = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) == 0 &&
 	    leg->ballSpeed > FLYING * leg->length;
 	soleVec3 normal = soleKnownNormal( work, leg );
@@ -255,6 +259,11 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	if ( leg->foreseen )
 	{
 		return leg->choosing && soleChooseLandingPoint( work, leg, k, point );
+	}
+	if ( leg->asleep )
+	{
+		*point = soleProbePoint( leg, leg->print, soleSinglePlaces[0] );
+		return k == 0;
 	}
 	soleProbeLayout layout = work->settings->probe.layout;
 	// A foot that has just been planted reads its ground closely, once; as do all in the first frame.

@@ -362,13 +362,12 @@ static void soleJudge(
 
 // ------------------------------------------------------------------------------------------------------------- rest
 
-static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* level,
+static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* level, bool single,
     float footLength, soleVec3 forward, soleVec3 side, bool* steep )
 {
 	bool bends = leg->rig->toeSlot != SOLE_NONE;
 	soleRestPoints tilting = soleTakeTilting( level, bends );
 	soleRestPoints rigid = soleTakeRigid( level, bends );
-	bool single = leg->sampleCount == 1;
 	soleFit fit = soleFitResting( &tilting, single, footLength );
 	if ( single && tilting.count == 1 )
 	{
@@ -408,7 +407,7 @@ soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleFo
 	rest.onEdge = hanging > 0;
 	float met = (float)all.count / (float)( all.asked > all.count ? all.asked : all.count );
 	rest.confidence = met * ( 1.0f - 0.5f * (float)hanging / (float)all.count );
-	soleFit fit = soleFitSole( work, leg, &high, footLength, forward, side, &rest.steep );
+	soleFit fit = soleFitSole( work, leg, &high, all.asked == 1, footLength, forward, side, &rest.steep );
 	if ( rig->toeSlot != SOLE_NONE )
 	{
 		float slope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );

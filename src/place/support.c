@@ -65,6 +65,20 @@ static void soleReadSamples( const solePlaceWork* work, soleLegWork* leg, const 
 	}
 }
 
+static void soleCountUnmet( solePlaceWork* work )
+{
+	bool met = false;
+	bool asked = false;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		met = met || work->legs[i].hasGround;
+		asked = asked || work->legs[i].sampleCount > 0;
+	}
+	soleState* state = work->state;
+	state->unmetTime = met ? 0.0f : state->unmetTime + ( asked ? work->timeStep : 0.0f );
+	work->out->unmetTime = state->unmetTime;
+}
+
 // --------------------------------------------------------------------------------------------------------- the stage
 
 void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
@@ -89,4 +103,5 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 		leg->out->flags |= rest.onEdge ? (uint32_t)sole_legOnEdge : 0u;
 		leg->out->flags |= rest.steep ? (uint32_t)sole_legTooSteep : 0u;
 	}
+	soleCountUnmet( work );
 }

@@ -13,9 +13,10 @@
 
 /// Follows less of the slope, and stays above the ground for it: the flatter plane is raised until it touches the old
 /// one at an end of the sole.
-static solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg, float align )
+static solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg )
 {
 	solePlane plane = leg->plane;
+	float align = soleFindAlign( work, plane.gradient );
 	if ( align >= 1.0f )
 	{
 		return plane;
@@ -56,10 +57,10 @@ void soleSetTargets( solePlaceWork* work )
 		{
 			continue;
 		}
-		solePlane plane = soleFlatten( work, leg, work->settings->target.align );
+		solePlane plane = soleFlatten( work, leg );
 		soleVec3 q = leg->anchor;
 		soleVec3 goal = soleAtHeight( work, leg->anchorGoal, solePlaneHeight( work, plane, leg->anchorGoal ) );
-		goal = soleMulAdd( goal, leg->sunk, plane.normal );
+		goal = soleMulAdd( goal, leg->sunk + work->settings->target.height * leg->length, plane.normal );
 		soleQuat tilt = soleFromTo( work->up, plane.normal, leg->forward );
 		// Heights were measured along the root's up: a leaning root is put upright first.
 		soleQuat upright = soleFromTo( work->rootUp, work->up, leg->forward );
@@ -71,6 +72,7 @@ void soleSetTargets( solePlaceWork* work )
 		soleVec3 pivot = soleAdd( ankle, soleRotate( leg->image, soleSub( leg->pivot, leg->ankle ) ) );
 		soleQuat foot = soleMulQuat( leg->image, leg->foot.rotation );
 
+		leg->ankleWanted = ankle;
 		leg->ankleTarget = soleLerp( leg->ankle, ankle, leg->weight );
 		leg->pivotTarget = soleLerp( leg->pivot, pivot, leg->weight );
 		leg->footTarget = soleNlerp( leg->foot.rotation, foot, leg->turnWeight );

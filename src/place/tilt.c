@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Tilt: how far a sole tilts with the ground. It follows a share of the slope, up to a furthest angle; where it stands
+// under its ankle, and how long it is seen from above, go by that tilt and not by the ground's.
+#include "place/place.h"
+
+float soleFindAlign( const solePlaceWork* work, soleVec3 gradient )
+{
+	const soleSettings* s = work->settings;
+	soleHalf half = soleHalfFromAngle( s->target.maxTilt );
+	float cosine = half.c * half.c - half.s * half.s;
+	float steepest = 2.0f * half.c * half.s / soleMaxF( cosine, 1e-3f );
+	float steep = soleLength( gradient );
+	return steep * s->target.align > steepest ? steepest / steep : s->target.align;
+}
+
+/// The normal of a sole on ground of some normal.
+static soleVec3 soleTilt( const solePlaceWork* work, soleVec3 normal )
+{
+	float up = soleDot( normal, work->up );
+	if ( !( up > 1e-3f ) )
+	{
+		return normal;
+	}
+	soleVec3 gradient = soleScale( -1.0f / up, soleHorizontal( work, normal ) );
+	float align = soleFindAlign( work, gradient );
+	soleVec3 tilted = soleNormalizeOr( soleMulAdd( work->up, -align, gradient ), work->up );
+	return align < 1.0f ? tilted : normal;
+}
+
+soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWork* leg, soleVec3 normal )
+{
+	soleVec3 tilted = soleTilt( work, normal );
+	return soleScale( -leg->rig->ankleHeight * work->rootScale, soleHorizontal( work, tilted ) );
+}
+
+/// With R the turn from up U to a plane's normal N, f . R f = 1 - ( f . N )^2 / ( 1 + U . N ) for horizontal f.
+soleFootprint soleMakeFootprint( const solePlaceWork* work, soleVec3 ball, soleVec3 forward, soleVec3 normal )
+{
+	soleVec3 tilted = soleTilt( work, normal );
+	soleVec3 side = soleCross( forward, work->up );
+	float perLean = 1.0f / ( 1.0f + soleMaxF( soleDot( work->up, tilted ), 0.0f ) );
+	float pitch = soleDot( forward, tilted );
+	float roll = soleDot( side, tilted );
+	float along = work->rootScale * ( 1.0f - pitch * pitch * perLean );
+	float across = work->rootScale * ( 1.0f - roll * roll * perLean );
+	return ( soleFootprint ){ ball, forward, side, along, across };
+}
