@@ -60,13 +60,20 @@ static float soleFindNarrow( const solePlaceWork* work, const soleLegWork* leg, 
 	return narrow;
 }
 
-static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, soleVec3 place )
+/// What it costs that the animation means the foot elsewhere.
+static float soleFindShiftCost( const solePlaceWork* work, const soleLegWork* leg, soleVec3 place )
+{
+	float metre = 0.9f / leg->length;
+	return 2.0f * metre * soleLength( soleHorizontal( work, soleSub( place, leg->landing ) ) );
+}
+
+/// What the ground at a place costs.
+static float soleFindGroundCost( const solePlaceWork* work, const soleLegWork* leg, soleVec3 place )
 {
 	float metre = 0.9f / leg->length;
 	soleRest rest = soleRestSole( work, leg, soleMakeFootprint( work, place, leg->landingForward, work->up ), true );
-	float distance = soleLength( soleHorizontal( work, soleSub( place, leg->landing ) ) );
 	float wanted = work->settings->foothold.share;
-	float cost = 2.0f * metre * distance + soleMaxF( wanted - rest.share, 0.0f );
+	float cost = soleMaxF( wanted - rest.share, 0.0f );
 	cost += 0.5f * ( soleMaxF( wanted - rest.foreShare, 0.0f ) + soleMaxF( wanted - rest.rearShare, 0.0f ) );
 	cost += NARROW * soleFindNarrow( work, leg, place, rest.plane );
 	cost += 10.0f * metre * soleMaxF( rest.sunk - DEPTH * leg->length, 0.0f );
@@ -74,7 +81,7 @@ static float soleCostOf( const solePlaceWork* work, const soleLegWork* leg, sole
 }
 
 /// The best of some places to either side of another, the nearest first. One that is to replace the last choice has to
-/// be better by more the further it is from that.
+/// be better by more the further it is from that. Where the way there alone costs too much the ground is not looked at.
 static void soleTryPlaces( const solePlaceWork* work, const soleLegWork* leg, soleVec3 middle, float apart,
     soleVec3 last, soleVec3* best, float* least )
 {
@@ -84,7 +91,8 @@ static void soleTryPlaces( const solePlaceWork* work, const soleLegWork* leg, so
 		float steps = (float)( i % 2 == 1 ? ( i + 1 ) / 2 : -i / 2 );
 		soleVec3 place = soleMulAdd( middle, steps * apart, leg->landingForward );
 		float change = soleLength( soleHorizontal( work, soleSub( place, last ) ) );
-		float cost = soleCostOf( work, leg, place ) + MUCH * soleSaturate( change / ( FAR_OFF * leg->length ) );
+		float cost = soleFindShiftCost( work, leg, place ) + MUCH * soleSaturate( change / ( FAR_OFF * leg->length ) );
+		cost += cost < *least ? soleFindGroundCost( work, leg, place ) : 0.0f;
 		if ( cost < *least )
 		{
 			*least = cost;
@@ -100,7 +108,7 @@ static soleVec3 soleChoosePlace( const solePlaceWork* work, const soleLegWork* l
 	float apart = work->settings->foothold.shift * leg->length / (float)SHIFTS;
 	soleVec3 last = planned ? soleLevelPlace( work, leg ) : leg->landing;
 	soleVec3 best = last;
-	float least = soleCostOf( work, leg, last );
+	float least = soleFindShiftCost( work, leg, last ) + soleFindGroundCost( work, leg, last );
 	soleTryPlaces( work, leg, leg->landing, apart, last, &best, &least );
 	soleTryPlaces( work, leg, best, apart / (float)( SHIFTS + 1 ), last, &best, &least );
 	return best;

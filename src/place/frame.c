@@ -3,6 +3,7 @@
 // the world's origin or forgotten after a jump. From here on the stages need not ask again.
 #include "base/core.h"
 #include "place/place.h"
+#include "rig/settings.h"
 
 #include <string.h>
 
@@ -10,22 +11,27 @@
 #define TELEPORT 1.5f    // leg lengths that a root can't move in a frame beyond 20 of them a second
 
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
-soleSettings soleCleanSettings( const soleSettings* settings )
+const soleSettings* soleCleanSettings( const soleSettings* settings, soleSettings* scratch )
 {
 	SOLE_ASSERT( settings != NULL && settings->internalValue == SOLE_COOKIE );
 	if ( settings == NULL || settings->internalValue != SOLE_COOKIE )
 	{
-		return soleDefaultSettings();
+		*scratch = soleDefaultSettings();
+		return scratch;
 	}
-	soleSettings clean = *settings;
+	if ( soleSettings_AreInRange( settings ) )
+	{
+		return settings;
+	}
+	*scratch = *settings;
 	int32_t count;
 	const soleSettingInfo* infos = soleGetSettingInfos( &count );
 	for ( int32_t i = 0; i < count; ++i )
 	{
 		double value = soleSettings_Get( settings, infos + i );
-		soleSettings_Set( &clean, infos + i, value - value == 0.0 ? value : infos[i].defaultValue );
+		soleSettings_Set( scratch, infos + i, value - value == 0.0 ? value : infos[i].defaultValue );
 	}
-	return clean;
+	return scratch;
 }
 
 bool soleIsFrameUsable( const soleFrame* frame )

@@ -9,10 +9,10 @@
 
 // ----------------------------------------------------------------------------------------------------- handing out
 
-/// The output that changes nothing: the pose as it came in.
+/// The output that changes nothing: the pose as it came in. Legs that the rig does not have are left as they are.
 static void solePassThrough( const soleRig* rig, const soleFrame* frame, float second, soleOutput* out )
 {
-	memset( out, 0, sizeof *out );
+	memset( out, 0, offsetof( soleOutput, legs ) + (size_t)rig->legCount * sizeof out->legs[0] );
 	out->legCount = rig->legCount;
 	bool readable = frame != NULL && frame->pose != NULL;
 	if ( readable )
@@ -129,6 +129,17 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	soleWritePelvis( work );
 }
 
+static void soleBeginWork( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+    const soleFrame* frame, soleOutput* out )
+{
+	memset( work, 0, offsetof( solePlaceWork, slots ) );
+	work->rig = rig;
+	work->settings = settings;
+	work->state = state;
+	work->frame = frame;
+	work->out = out;
+}
+
 int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, const soleState* state,
     const soleFrame* frame, soleProbe* probes, int32_t capacity )
 {
@@ -138,11 +149,13 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	{
 		return 0;
 	}
-	soleSettings clean = soleCleanSettings( settings );
+	soleSettings scratch;
 	soleOutput out;
-	soleState copy = *state;
+	soleState copy;
+	memcpy( &copy, state, soleState_GetByteCount( rig ) );
 	soleTakeState( rig, frame, &copy );
-	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = &copy, .out = &out };
+	solePlaceWork work;
+	soleBeginWork( &work, rig, soleCleanSettings( settings, &scratch ), &copy, frame, &out );
 	soleSetUpFrame( &work );
 	soleSense( &work );
 	soleForesee( &work );
@@ -162,9 +175,9 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	{
 		return;
 	}
-	solePassThrough( rig, given ? frame : NULL, 0.0f, output );
 	if ( given == false || !soleIsFrameUsable( frame ) )
 	{
+		solePassThrough( rig, given ? frame : NULL, 0.0f, output );
 		for ( int32_t i = 0; i < rig->legCount; ++i )
 		{
 			output->legs[i].flags = (uint32_t)sole_legBadInput;
@@ -173,8 +186,9 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 		return;
 	}
 	soleTakeState( rig, frame, state );
-	soleSettings clean = soleCleanSettings( settings );
-	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = state, .out = output };
+	soleSettings scratch;
+	solePlaceWork work;
+	soleBeginWork( &work, rig, soleCleanSettings( settings, &scratch ), state, frame, output );
 	soleSetUpFrame( &work );
 	solePassThrough( rig, frame, work.second, output );
 	soleRunStages( &work, hits, hitCount > 0 ? hitCount : 0 );

@@ -195,9 +195,10 @@ typedef struct solePlaceWork
 	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
 	float bodyGround;      // height of the ground that the body is over
 	float bodyBefore;      // the same by what the last frame knew
-	soleTransform slots[SOLE_MAX_SLOTS];
-
 	int32_t legCount;
+
+	// From here on as many as the rig has are written before they are read: a frame does not clear them all.
+	soleTransform slots[SOLE_MAX_SLOTS];
 	soleLegWork legs[SOLE_MAX_LEGS];
 	soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
 } solePlaceWork;
@@ -312,7 +313,8 @@ static inline soleTransform soleReadPose( const soleFrame* frame, float second, 
 }
 
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
-soleSettings soleCleanSettings( const soleSettings* settings );
+/// @param scratch what is returned, where they had to be changed
+const soleSettings* soleCleanSettings( const soleSettings* settings, soleSettings* scratch );
 bool soleIsFrameUsable( const soleFrame* frame );
 /// A state that is usable in this frame's world: the default one where it was not.
 void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );

@@ -22,20 +22,17 @@
 #define TOES_UP 0.65f      // rise per length: 33 degrees, toes that flip up further on a stone look broken
 #define MAX_POINTS SOLE_MAX_PROBES_PER_LEG
 
-/// A sample in the foot's own frame, around the load point: u ahead, v to the side, h up.
-typedef struct soleRestPoint
-{
-	float u, v, h;
-	bool ahead; // of the ball line
-	bool under; // within the sole, without the margin
-	int32_t level;
-	const soleGroundSample* sample;
-} soleRestPoint;
-
+/// Samples in the foot's own frame, around the load point. Subsets are bits, one a point.
 typedef struct soleRestPoints
 {
-	soleRestPoint points[MAX_POINTS];
+	float u[MAX_POINTS]; // ahead
+	float v[MAX_POINTS]; // to the side
+	float h[MAX_POINTS]; // up
+	const soleGroundSample* samples[MAX_POINTS];
 	int32_t count;
+	uint32_t ahead; // of the ball line
+	uint32_t under; // within the sole, without the margin
+	uint32_t steep;
 	int32_t asked;      // places under the sole, with those where nothing was met
 	int32_t askedAhead; // those ahead of the ball line
 	bool atHeel, atToe; // places near both ends of the sole were asked for
@@ -48,20 +45,57 @@ typedef struct soleFit
 	float c, gu, gv;
 } soleFit;
 
+static bool soleHas( uint32_t set, int32_t i )
+{
+	return ( set >> i & 1u ) != 0;
+}
+
+static uint32_t soleBit( int32_t i )
+{
+	return 1u << i;
+}
+
+/// The points of a set, in order. @return how many
+static int32_t soleList( uint32_t set, int32_t list[MAX_POINTS] )
+{
+	int32_t count = 0;
+	for ( int32_t i = 0; set != 0; ++i, set >>= 1 )
+	{
+		list[count] = i;
+		count += (int32_t)( set & 1u );
+	}
+	return count;
+}
+
+static int32_t soleCount( uint32_t set )
+{
+	int32_t count = 0;
+	for ( ; set != 0; set &= set - 1u )
+	{
+		++count;
+	}
+	return count;
+}
+
 // ------------------------------------------------------------------------------------------------------- footprint
 
-/// Largest distance from one place to the next one ahead of it.
-static float soleFindGap( const float* places, int32_t count )
+/// Largest distance from one place to the next one ahead of it. Puts them in order.
+static float soleFindGap( float* places, int32_t count )
 {
 	float largest = 0.0f;
-	for ( int32_t i = 0; i < count; ++i )
+	for ( int32_t i = 1; i < count; ++i )
 	{
-		float next = 1e9f;
-		for ( int32_t k = 0; k < count; ++k )
+		float place = places[i];
+		int32_t k = i;
+		for ( ; k > 0 && places[k - 1] > place; --k )
 		{
-			next = places[k] > places[i] ? soleMinF( next, places[k] - places[i] ) : next;
+			places[k] = places[k - 1];
 		}
-		largest = next < 1e9f ? soleMaxF( largest, next ) : largest;
+		places[k] = place;
+	}
+	for ( int32_t i = 1; i < count; ++i )
+	{
+		largest = soleMaxF( largest, places[i] - places[i - 1] );
 	}
 	return largest;
 }
@@ -77,9 +111,14 @@ static void soleFindPoints(
 	float outer = rig->outerSide * print.across;
 	float right = soleMaxF( inner, outer );
 	float left = soleMinF( inner, outer );
+	float narrow = line ? 0.25f : 1.0f;
+	float beside = line ? 0.0f : margin;
 	float asked[MAX_POINTS];
 	int32_t askedCount = 0;
 	found->count = 0;
+	found->ahead = 0;
+	found->under = 0;
+	found->steep = 0;
 	found->asked = 0;
 	found->askedAhead = 0;
 	found->atHeel = false;
@@ -89,10 +128,12 @@ static void soleFindPoints(
 		const soleGroundSample* sample = leg->samples + i;
 		soleVec3 from = soleSub( sample->place, print.ball );
 		float u = soleDot( from, print.forward );
+		if ( !( u > heel - margin && u < toe + margin ) )
+		{
+			continue;
+		}
 		float v = soleDot( from, print.side );
-		bool near = u > heel - margin && u < toe + margin && v > left - margin && v < right + margin;
-		bool middle = v > 0.25f * left && v < 0.25f * right;
-		if ( near == false || ( line && middle == false ) )
+		if ( !( v > narrow * left - beside && v < narrow * right + beside ) )
 		{
 			continue;
 		}
@@ -105,8 +146,14 @@ static void soleFindPoints(
 		found->atToe = found->atToe || u > toe - 2.0f * margin;
 		if ( sample->found )
 		{
-			soleRestPoint* p = found->points + found->count++;
-			*p = ( soleRestPoint ){ u - loadAhead, v, sample->height, ahead, under, found->count - 1, sample };
+			int32_t p = found->count++;
+			found->u[p] = u - loadAhead;
+			found->v[p] = v;
+			found->h[p] = sample->height;
+			found->samples[p] = sample;
+			found->ahead |= ahead ? soleBit( p ) : 0u;
+			found->under |= under ? soleBit( p ) : 0u;
+			found->steep |= sample->steep ? soleBit( p ) : 0u;
 		}
 	}
 	found->gap = soleFindGap( asked, askedCount );
@@ -114,124 +161,127 @@ static void soleFindPoints(
 
 // ---------------------------------------------------------------------------------------------------------- levels
 
-static void soleJoinLevels( soleRestPoints* read, float gap )
+/// Points are neighbours when no other point is nearer to both: the relative neighbourhood graph. That is rows and
+/// columns in the layouts here, and stays right when probes are missing or late.
+static bool soleAreNeighbours( const soleRestPoints* p, int32_t i, int32_t j, float d2 )
 {
-	// Points are neighbours when no other point is nearer to both: the relative neighbourhood graph. That is rows and
-	// columns in the layouts here, and stays right when probes are missing or late.
-	for ( int32_t i = 0; i < read->count; ++i )
+	for ( int32_t k = 0; k < p->count; ++k )
 	{
-		for ( int32_t j = i + 1; j < read->count; ++j )
+		float iu = p->u[i] - p->u[k], iv = p->v[i] - p->v[k];
+		float ju = p->u[j] - p->u[k], jv = p->v[j] - p->v[k];
+		if ( iu * iu + iv * iv < d2 && ju * ju + jv * jv < d2 && k != i && k != j )
 		{
-			soleRestPoint a = read->points[i];
-			soleRestPoint b = read->points[j];
-			float d2 = ( a.u - b.u ) * ( a.u - b.u ) + ( a.v - b.v ) * ( a.v - b.v );
-			bool neighbours = a.level != b.level;
-			for ( int32_t k = 0; k < read->count && neighbours; ++k )
-			{
-				soleRestPoint c = read->points[k];
-				float ac = ( a.u - c.u ) * ( a.u - c.u ) + ( a.v - c.v ) * ( a.v - c.v );
-				float bc = ( b.u - c.u ) * ( b.u - c.u ) + ( b.v - c.v ) * ( b.v - c.v );
-				neighbours = k == i || k == j || ac >= d2 || bc >= d2;
-			}
-			float step = a.h > b.h ? a.h - b.h : b.h - a.h;
-			if ( neighbours == false || step > sqrtf( d2 ) + gap )
+			return false;
+		}
+	}
+	return true;
+}
+
+/// @param levels per point the set that it belongs to
+static void soleJoinLevels( const soleRestPoints* p, float gap, uint32_t levels[MAX_POINTS] )
+{
+	for ( int32_t i = 0; i < p->count; ++i )
+	{
+		levels[i] = soleBit( i );
+	}
+	for ( int32_t i = 0; i < p->count; ++i )
+	{
+		for ( int32_t j = i + 1; j < p->count; ++j )
+		{
+			if ( soleHas( levels[i], j ) )
 			{
 				continue;
 			}
-			for ( int32_t k = 0; k < read->count; ++k )
+			float du = p->u[i] - p->u[j], dv = p->v[i] - p->v[j];
+			float d2 = du * du + dv * dv;
+			float step = p->h[i] > p->h[j] ? p->h[i] - p->h[j] : p->h[j] - p->h[i];
+			float more = step - gap;
+			bool near = !( more > 0.0f ) || more * more <= d2;
+			if ( near && soleAreNeighbours( p, i, j, d2 ) )
 			{
-				read->points[k].level = read->points[k].level == b.level ? a.level : read->points[k].level;
+				uint32_t both = levels[i] | levels[j];
+				for ( int32_t k = 0; k < p->count; ++k )
+				{
+					levels[k] = soleHas( both, k ) ? both : levels[k];
+				}
 			}
 		}
 	}
 }
 
-/// Keeps the points of the level that has the highest one under the sole; the others are dropped: what hangs, and what
-/// stands beside it. @return how many were dropped
-static int32_t soleKeepHighestLevel( soleRestPoints* read )
+/// The level that has the highest point under the sole. The others are left out: what hangs, and what stands beside it.
+static uint32_t soleFindHighestLevel( const soleRestPoints* p, float gap )
 {
+	uint32_t levels[MAX_POINTS];
+	soleJoinLevels( p, gap, levels );
 	int32_t highest = 0;
-	for ( int32_t i = 1; i < read->count; ++i )
+	for ( int32_t i = 1; i < p->count; ++i )
 	{
-		const soleRestPoint* p = read->points + i;
-		const soleRestPoint* best = read->points + highest;
-		bool higher = p->under == best->under ? p->h > best->h : p->under;
+		bool under = soleHas( p->under, i );
+		bool higher = under == soleHas( p->under, highest ) ? p->h[i] > p->h[highest] : under;
 		highest = higher ? i : highest;
 	}
-	int32_t level = read->points[highest].level;
-	int32_t kept = 0;
-	for ( int32_t i = 0; i < read->count; ++i )
-	{
-		if ( read->points[i].level == level )
-		{
-			read->points[kept++] = read->points[i];
-		}
-	}
-	int32_t dropped = read->count - kept;
-	read->count = kept;
-	return dropped;
+	return levels[highest];
 }
 
 // ----------------------------------------------------------------------------------------------------- resting plane
 
 /// The plane through three points if their triangle holds the load point (the origin).
-static bool soleFitTriangle(
-    const soleRestPoint* a, const soleRestPoint* b, const soleRestPoint* c, float area, soleFit* fit )
+static bool soleFitTriangle( const soleRestPoints* p, int32_t i, int32_t j, int32_t k, float area, soleFit* fit )
 {
-	float bu = b->u - a->u, bv = b->v - a->v, cu = c->u - a->u, cv = c->v - a->v;
+	float u = p->u[i], v = p->v[i], h = p->h[i];
+	float bu = p->u[j] - u, bv = p->v[j] - v, cu = p->u[k] - u, cv = p->v[k] - v;
 	float d = bu * cv - cu * bv;
 	if ( d < area && d > -area )
 	{
 		return false;
 	}
 	float s = 1.0f / d;
-	float wb = s * ( -a->u * cv + a->v * cu );
-	float wc = s * ( -bu * a->v + bv * a->u );
+	float wb = s * ( -u * cv + v * cu );
+	float wc = s * ( -bu * v + bv * u );
 	float wa = 1.0f - wb - wc;
 	if ( wa < -1e-5f || wb < -1e-5f || wc < -1e-5f )
 	{
 		return false;
 	}
-	float bh = b->h - a->h, ch = c->h - a->h;
+	float bh = p->h[j] - h, ch = p->h[k] - h;
 	fit->gu = s * ( bh * cv - ch * bv );
 	fit->gv = s * ( bu * ch - cu * bh );
-	fit->c = a->h - fit->gu * a->u - fit->gv * a->v;
+	fit->c = h - fit->gu * u - fit->gv * v;
 	return true;
 }
 
 /// The slope along the foot through the best pair that brackets the load point.
-static bool soleFitPair( const soleRestPoint* a, const soleRestPoint* b, float shortest, soleFit* fit )
+static bool soleFitPair( const soleRestPoints* p, int32_t i, int32_t j, float shortest, soleFit* fit )
 {
-	float du = b->u - a->u;
-	if ( ( du < shortest && du > -shortest ) || a->u * b->u > 0.0f )
+	float du = p->u[j] - p->u[i];
+	if ( ( du < shortest && du > -shortest ) || p->u[i] * p->u[j] > 0.0f )
 	{
 		return false;
 	}
-	fit->gu = ( b->h - a->h ) / du;
+	fit->gu = ( p->h[j] - p->h[i] ) / du;
 	fit->gv = 0.0f;
-	fit->c = a->h - fit->gu * a->u;
+	fit->c = p->h[i] - fit->gu * p->u[i];
 	return true;
 }
 
-static soleFit soleFitResting( const soleRestPoints* read, bool single, float footLength )
+/// @param line they lie on one: there are no triangles
+static soleFit soleFitResting( const soleRestPoints* p, uint32_t set, bool line, float footLength )
 {
-	const soleRestPoint* p = read->points;
-	int32_t n = read->count;
+	int32_t list[MAX_POINTS];
+	int32_t n = soleList( set, list );
 	float area = 1e-3f * footLength * footLength;
 	soleFit best = { 0.0f, 0.0f, 0.0f };
 	bool found = false;
 	soleFit fit;
-	if ( single && n == 1 )
-	{
-		return ( soleFit ){ p[0].h, 0.0f, 0.0f };
-	}
-	for ( int32_t i = 0; i < n; ++i )
+	for ( int32_t i = 0; i < n && line == false; ++i )
 	{
 		for ( int32_t j = i + 1; j < n; ++j )
 		{
 			for ( int32_t k = j + 1; k < n; ++k )
 			{
-				if ( soleFitTriangle( p + i, p + j, p + k, area, &fit ) && ( found == false || fit.c > best.c ) )
+				bool holds = soleFitTriangle( p, list[i], list[j], list[k], area, &fit );
+				if ( holds && ( found == false || fit.c > best.c ) )
 				{
 					best = fit;
 					found = true;
@@ -247,7 +297,8 @@ static soleFit soleFitResting( const soleRestPoints* read, bool single, float fo
 	{
 		for ( int32_t j = i + 1; j < n; ++j )
 		{
-			if ( soleFitPair( p + i, p + j, 0.05f * footLength, &fit ) && ( found == false || fit.c > best.c ) )
+			bool brackets = soleFitPair( p, list[i], list[j], 0.05f * footLength, &fit );
+			if ( brackets && ( found == false || fit.c > best.c ) )
 			{
 				best = fit;
 				found = true;
@@ -258,64 +309,48 @@ static soleFit soleFitResting( const soleRestPoints* read, bool single, float fo
 }
 
 /// Sets the height so that the plane touches the level and no point is above it.
-static void soleTouch( const soleRestPoints* read, soleFit* fit )
+static void soleTouch( const soleRestPoints* p, uint32_t set, soleFit* fit )
 {
-	for ( int32_t i = 0; i < read->count; ++i )
+	bool first = true;
+	for ( int32_t i = 0; i < p->count; ++i )
 	{
-		const soleRestPoint* p = read->points + i;
-		float c = p->h - fit->gu * p->u - fit->gv * p->v;
-		fit->c = i == 0 || c > fit->c ? c : fit->c;
+		if ( soleHas( set, i ) )
+		{
+			float c = p->h[i] - fit->gu * p->u[i] - fit->gv * p->v[i];
+			fit->c = first || c > fit->c ? c : fit->c;
+			first = false;
+		}
 	}
 }
 
 /// The points that may tilt the sole: toes bend, so they are left out where enough is left to carry it, and steep faces
 /// only hold it up.
-static soleRestPoints soleTakeTilting( const soleRestPoints* read, bool bends )
+static uint32_t soleTakeTilting( const soleRestPoints* p, uint32_t level, bool bends )
 {
-	soleRestPoints rest = { .count = 0 };
-	int32_t behind = 0;
-	for ( int32_t i = 0; i < read->count; ++i )
-	{
-		behind += read->points[i].ahead ? 0 : 1;
-	}
-	for ( int32_t i = 0; i < read->count; ++i )
-	{
-		bool toes = bends && behind >= 3 && read->points[i].ahead;
-		if ( toes == false && read->points[i].sample->steep == false )
-		{
-			rest.points[rest.count++] = read->points[i];
-		}
-	}
-	return rest;
+	bool toes = bends && soleCount( level & ~p->ahead ) >= 3;
+	return level & ~p->steep & ~( toes ? p->ahead : 0u );
 }
 
 /// All that holds the rigid part up.
-static soleRestPoints soleTakeRigid( const soleRestPoints* read, bool bends )
+static uint32_t soleTakeRigid( const soleRestPoints* p, uint32_t level, bool bends )
 {
-	soleRestPoints rest = { .count = 0 };
-	for ( int32_t i = 0; i < read->count; ++i )
-	{
-		if ( bends == false || read->points[i].ahead == false )
-		{
-			rest.points[rest.count++] = read->points[i];
-		}
-	}
-	return rest.count > 0 ? rest : *read;
+	uint32_t rigid = bends ? level & ~p->ahead : level;
+	return rigid != 0 ? rigid : level;
 }
 
-static float soleFindToeSlope( const soleRestPoints* read, const soleFit* fit, float ballU, float shortest )
+static float soleFindToeSlope(
+    const soleRestPoints* p, uint32_t level, const soleFit* fit, float ballU, float shortest )
 {
 	bool found = false;
 	float slope = 0.0f;
-	for ( int32_t i = 0; i < read->count; ++i )
+	for ( int32_t i = 0; i < p->count; ++i )
 	{
-		const soleRestPoint* p = read->points + i;
-		float ahead = p->u - ballU;
-		if ( p->ahead == false || ahead < shortest )
+		float ahead = p->u[i] - ballU;
+		if ( soleHas( level & p->ahead, i ) == false || ahead < shortest )
 		{
 			continue;
 		}
-		float over = p->h - ( fit->c + fit->gu * p->u + fit->gv * p->v );
+		float over = p->h[i] - ( fit->c + fit->gu * p->u[i] + fit->gv * p->v[i] );
 		slope = found && slope > over / ahead ? slope : over / ahead;
 		found = true;
 	}
@@ -342,18 +377,16 @@ static void soleJudge(
     const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit, float ballU, soleRest* rest )
 {
 	float toes = rest->toeSlope;
-	int32_t fore = 0;
-	int32_t rear = 0;
+	uint32_t bearing = 0;
 	for ( int32_t i = 0; i < all->count; ++i )
 	{
-		const soleRestPoint* p = all->points + i;
-		float bend = p->ahead ? toes * ( p->u - ballU ) : 0.0f;
-		float gap = fit->c + fit->gu * p->u + fit->gv * p->v + bend - p->h;
+		float bend = soleHas( all->ahead, i ) ? toes * ( all->u[i] - ballU ) : 0.0f;
+		float gap = fit->c + fit->gu * all->u[i] + fit->gv * all->v[i] + bend - all->h[i];
 		rest->sunk = soleMaxF( rest->sunk, -gap );
-		bool bears = p->under && gap < BEARS_UNDER * leg->length;
-		fore += bears && p->ahead ? 1 : 0;
-		rear += bears && p->ahead == false ? 1 : 0;
+		bearing |= gap < BEARS_UNDER * leg->length ? soleBit( i ) : 0u;
 	}
+	int32_t fore = soleCount( bearing & all->under & all->ahead );
+	int32_t rear = soleCount( bearing & all->under & ~all->ahead );
 	rest->known = all->atHeel && all->atToe && all->gap < 4.0f * MARGIN * leg->length;
 	rest->share = soleShareOf( fore + rear, all->asked );
 	rest->foreShare = soleShareOf( fore, all->askedAhead );
@@ -362,66 +395,74 @@ static void soleJudge(
 
 // ------------------------------------------------------------------------------------------------------------- rest
 
-static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* level, bool single,
-    float footLength, soleVec3 forward, soleVec3 side, bool* steep )
+/// The plane of one level, its slope within what can be walked on.
+static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, const soleRestPoints* points,
+    uint32_t level, bool line, soleFootprint print, bool* steep )
 {
 	bool bends = leg->rig->toeSlot != SOLE_NONE;
-	soleRestPoints tilting = soleTakeTilting( level, bends );
-	soleRestPoints rigid = soleTakeRigid( level, bends );
-	soleFit fit = soleFitResting( &tilting, single, footLength );
-	if ( single && tilting.count == 1 )
+	float foot = ( leg->rig->heelBehind + leg->rig->toeAhead ) * print.along;
+	uint32_t tilting = soleTakeTilting( points, level, bends );
+	uint32_t rigid = soleTakeRigid( points, level, bends );
+	soleFit fit = soleFitResting( points, tilting, line, soleMaxF( foot, 1e-3f * leg->length ) );
+	int32_t list[MAX_POINTS];
+	if ( points->asked == 1 && soleList( tilting, list ) == 1 )
 	{
-		fit.gu = soleDot( tilting.points[0].sample->gradient, forward );
-		fit.gv = soleDot( tilting.points[0].sample->gradient, side );
+		soleVec3 gradient = points->samples[list[0]]->gradient;
+		fit.gu = soleDot( gradient, print.forward );
+		fit.gv = soleDot( gradient, print.side );
 	}
 	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
 	float steepest = 2.0f * limit.s * limit.c / soleMaxF( limit.c * limit.c - limit.s * limit.s, 0.05f );
-	*steep = 2 * tilting.count < rigid.count;
+	*steep = 2 * soleCount( tilting ) < soleCount( rigid );
 	fit.gu = *steep ? 0.0f : soleClampF( fit.gu, -steepest, steepest );
 	fit.gv = *steep ? 0.0f : soleClampF( fit.gv, -steepest, steepest );
-	soleTouch( &rigid, &fit );
+	soleTouch( points, rigid, &fit );
 	return fit;
+}
+
+static const soleGroundSample* soleFindHighest( const soleRestPoints* p, uint32_t level )
+{
+	int32_t highest = -1;
+	for ( int32_t i = 0; i < p->count; ++i )
+	{
+		bool higher = soleHas( level, i ) && ( highest < 0 || p->h[i] > p->h[highest] );
+		highest = higher ? i : highest;
+	}
+	return p->samples[highest];
 }
 
 soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleFootprint print, bool line )
 {
 	const soleRigLeg* rig = leg->rig;
-	soleVec3 forward = print.forward, side = print.side;
-	float footLength = soleMaxF( ( rig->heelBehind + rig->toeAhead ) * print.along, 1e-3f * leg->length );
 	float loadAhead =
 	    print.along * ( work->settings->support.loadPoint * ( rig->heelBehind + rig->toeAhead ) - rig->heelBehind );
-	soleVec3 load = soleMulAdd( print.ball, loadAhead, forward );
-	soleVec3 level = soleVec( 0.0f, 0.0f, 0.0f );
+	soleVec3 load = soleMulAdd( print.ball, loadAhead, print.forward );
 	soleRest rest = { .surface = SOLE_NONE };
-	soleRestPoints all, high;
-	soleFindPoints( leg, print, line, loadAhead, &all );
-	rest.found = all.count > 0;
+	soleRestPoints points;
+	soleFindPoints( leg, print, line, loadAhead, &points );
+	rest.found = points.count > 0;
 	if ( rest.found == false )
 	{
+		soleVec3 level = soleVec( 0.0f, 0.0f, 0.0f );
 		rest.plane = soleMakePlane( work, soleAtHeight( work, load, work->reference ), level );
 		return rest;
 	}
-	high = all;
-	soleJoinLevels( &high, work->settings->support.levelGap * leg->length );
-	int32_t hanging = soleKeepHighestLevel( &high );
+	uint32_t level = soleFindHighestLevel( &points, work->settings->support.levelGap * leg->length );
+	int32_t hanging = points.count - soleCount( level );
 	rest.onEdge = hanging > 0;
-	float met = (float)all.count / (float)( all.asked > all.count ? all.asked : all.count );
-	rest.confidence = met * ( 1.0f - 0.5f * (float)hanging / (float)all.count );
-	soleFit fit = soleFitSole( work, leg, &high, all.asked == 1, footLength, forward, side, &rest.steep );
+	float met = (float)points.count / (float)( points.asked > points.count ? points.asked : points.count );
+	rest.confidence = met * ( 1.0f - 0.5f * (float)hanging / (float)points.count );
+	soleFit fit = soleFitSole( work, leg, &points, level, line, print, &rest.steep );
 	if ( rig->toeSlot != SOLE_NONE )
 	{
-		float slope = soleFindToeSlope( &high, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );
+		float slope = soleFindToeSlope( &points, level, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );
 		rest.toeSlope = soleClampToeSlope( work, slope );
 	}
-	soleJudge( leg, &all, &fit, -loadAhead, &rest );
-	soleVec3 gradient = soleMulAdd( soleScale( fit.gu, forward ), fit.gv, side );
+	soleJudge( leg, &points, &fit, -loadAhead, &rest );
+	soleVec3 gradient = soleMulAdd( soleScale( fit.gu, print.forward ), fit.gv, print.side );
 	rest.plane = soleMakePlane( work, soleAtHeight( work, load, fit.c ), gradient );
-	const soleRestPoint* highest = high.points;
-	for ( int32_t i = 1; i < high.count; ++i )
-	{
-		highest = high.points[i].h > highest->h ? high.points + i : highest;
-	}
-	rest.surface = highest->sample->surface;
-	rest.velocity = highest->sample->velocity;
+	const soleGroundSample* highest = soleFindHighest( &points, level );
+	rest.surface = highest->surface;
+	rest.velocity = highest->velocity;
 	return rest;
 }

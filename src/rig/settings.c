@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of settings: the one place of their names, units, ranges and defaults. Files, viewers and documents read
 // it.
-#include "sole/sole.h"
+#include "rig/settings.h"
 
 #include <string.h>
 
@@ -146,6 +146,28 @@ void soleSettings_Set( soleSettings* settings, const soleSettingInfo* info, doub
 		uint32_t number = (uint32_t)value;
 		memcpy( field, &number, sizeof number );
 	}
+}
+
+bool soleSettings_AreInRange( const soleSettings* settings )
+{
+	const int32_t count = (int32_t)( sizeof soleSettingInfos / sizeof soleSettingInfos[0] );
+	bool inRange = true;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		const soleSettingInfo* info = soleSettingInfos + i;
+		if ( info->type == sole_settingFloat )
+		{
+			float value;
+			memcpy( &value, (const char*)settings + info->offset, sizeof value );
+			inRange = inRange && value >= (float)info->minimum && value <= (float)info->maximum;
+		}
+		else
+		{
+			double value = soleSettings_Get( settings, info );
+			inRange = inRange && value >= info->minimum && value <= info->maximum;
+		}
+	}
+	return inRange;
 }
 
 soleSettings soleDefaultSettings( void )
