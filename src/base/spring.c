@@ -42,7 +42,8 @@ soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, 
 
 soleOffset1 soleDecayOffset1( soleOffset1 offset, float halfLife, float timeStep )
 {
-	return soleStepSpring( offset, 0.0f, 0.0f, halfLife, timeStep );
+	bool gone = offset.value == 0.0f && offset.velocity == 0.0f;
+	return gone ? ( soleOffset1 ){ 0.0f, 0.0f } : soleStepSpring( offset, 0.0f, 0.0f, halfLife, timeStep );
 }
 
 soleOffset3 soleDecayOffset3( soleOffset3 offset, float halfLife, float timeStep )

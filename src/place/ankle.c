@@ -148,6 +148,7 @@ void soleLimitAnkles( solePlaceWork* work )
 		bool clamped = soleClampHalf( &turn.pitch, rig->pitch, animated.pitch );
 		clamped = soleClampHalf( &turn.roll, rig->roll, animated.roll ) || clamped;
 		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
+		leg->limited = clamped;
 		if ( clamped )
 		{
 			soleRetarget( work, leg, leg->footReached, solePutTogether( rig, shin, turn ) );

@@ -258,3 +258,14 @@ void soleSolveLegs( solePlaceWork* work )
 		}
 	}
 }
+
+void soleSolveLimitedLegs( solePlaceWork* work )
+{
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		if ( work->legs[i].limited )
+		{
+			soleSolveLeg( work, work->legs + i );
+		}
+	}
+}

@@ -123,7 +123,7 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	soleMovePelvis( work );
 	soleSolveLegs( work );
 	soleLimitAnkles( work );
-	soleSolveLegs( work );
+	soleSolveLimitedLegs( work );
 	soleAlignAnkles( work );
 	soleRememberBodies( work );
 	soleWritePelvis( work );

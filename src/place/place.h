@@ -164,6 +164,7 @@ typedef struct soleLegWork
 	soleVec3 hip; // with the pelvis moved
 	soleQuat hipTurn, kneeTurn;
 	soleVec3 ankleReached;
+	bool limited;         // the ankle met its range of motion, and has new targets
 	soleVec3 ankleGoal;   // ankleTarget and
 	soleQuat footReached; // footTarget with the heel raised
 } soleLegWork;
@@ -364,6 +365,8 @@ void soleMovePelvis( solePlaceWork* work );
 void soleSolveLegs( solePlaceWork* work );
 /// Range of motion: turns what the solved leg's ankle cannot do into new targets for a second solve.
 void soleLimitAnkles( solePlaceWork* work );
+/// The same again, for those.
+void soleSolveLimitedLegs( solePlaceWork* work );
 /// Alignment and toes; writes the output.
 void soleAlignAnkles( solePlaceWork* work );
 

@@ -177,6 +177,35 @@ static bool soleAreNeighbours( const soleRestPoints* p, int32_t i, int32_t j, fl
 	return true;
 }
 
+/// May these two be on one level? If all may, all are: neighbours join the whole.
+static bool soleAreLevel( const soleRestPoints* p, int32_t i, int32_t j, float d2, float gap )
+{
+	float step = p->h[i] > p->h[j] ? p->h[i] - p->h[j] : p->h[j] - p->h[i];
+	float more = step - gap;
+	return !( more > 0.0f ) || more * more <= d2;
+}
+
+static float soleDistance2( const soleRestPoints* p, int32_t i, int32_t j )
+{
+	float du = p->u[i] - p->u[j], dv = p->v[i] - p->v[j];
+	return du * du + dv * dv;
+}
+
+static bool soleAreAllLevel( const soleRestPoints* p, float gap )
+{
+	for ( int32_t i = 0; i < p->count; ++i )
+	{
+		for ( int32_t j = i + 1; j < p->count; ++j )
+		{
+			if ( soleAreLevel( p, i, j, soleDistance2( p, i, j ), gap ) == false )
+			{
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
 /// @param levels per point the set that it belongs to
 static void soleJoinLevels( const soleRestPoints* p, float gap, uint32_t levels[MAX_POINTS] )
 {
@@ -192,12 +221,8 @@ static void soleJoinLevels( const soleRestPoints* p, float gap, uint32_t levels[
 			{
 				continue;
 			}
-			float du = p->u[i] - p->u[j], dv = p->v[i] - p->v[j];
-			float d2 = du * du + dv * dv;
-			float step = p->h[i] > p->h[j] ? p->h[i] - p->h[j] : p->h[j] - p->h[i];
-			float more = step - gap;
-			bool near = !( more > 0.0f ) || more * more <= d2;
-			if ( near && soleAreNeighbours( p, i, j, d2 ) )
+			float d2 = soleDistance2( p, i, j );
+			if ( soleAreLevel( p, i, j, d2, gap ) && soleAreNeighbours( p, i, j, d2 ) )
 			{
 				uint32_t both = levels[i] | levels[j];
 				for ( int32_t k = 0; k < p->count; ++k )
@@ -213,6 +238,10 @@ static void soleJoinLevels( const soleRestPoints* p, float gap, uint32_t levels[
 static uint32_t soleFindHighestLevel( const soleRestPoints* p, float gap )
 {
 	uint32_t levels[MAX_POINTS];
+	if ( soleAreAllLevel( p, gap ) )
+	{
+		return p->count < MAX_POINTS ? soleBit( p->count ) - 1u : ~0u;
+	}
 	soleJoinLevels( p, gap, levels );
 	int32_t highest = 0;
 	for ( int32_t i = 1; i < p->count; ++i )

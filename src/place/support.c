@@ -7,24 +7,23 @@
 
 // ------------------------------------------------------------------------------------------------ reading the hits
 
-static bool soleIsGround( const solePlaceWork* work, const soleLegWork* leg, const soleHit* hit )
+/// The height of the touched face over the place that was asked for, not over the place that was touched: a sphere
+/// touches off its axis. @return false: it is no ground
+static bool soleReadHit(
+    const solePlaceWork* work, const soleLegWork* leg, const soleHit* hit, float minimumUp, soleGroundSample* sample )
 {
 	bool finite = soleVec3_IsFinite( hit->point_w ) && soleVec3_IsFinite( hit->normal_w );
-	if ( hit->hit == false || finite == false || hit->startedInside )
+	bool loose = hit->size > 0.0f && hit->size < work->settings->probe.looseSize * leg->length;
+	if ( hit->hit == false || finite == false || hit->startedInside || loose )
 	{
 		return false;
 	}
-	bool loose = hit->size > 0.0f && hit->size < work->settings->probe.looseSize * leg->length;
-	soleVec3 normal = soleNormalizeOr( hit->normal_w, work->up );
-	return loose == false && soleDot( normal, work->up ) > 1e-3f;
-}
-
-/// The height of the touched face over the place that was asked for, not over the place that was touched: a sphere
-/// touches off its axis.
-static void soleReadHit( const solePlaceWork* work, const soleHit* hit, float minimumUp, soleGroundSample* sample )
-{
 	soleVec3 normal = soleNormalizeOr( hit->normal_w, work->up );
 	float normalUp = soleDot( normal, work->up );
+	if ( !( normalUp > 1e-3f ) )
+	{
+		return false;
+	}
 	soleVec3 point = soleSub( hit->point_w, work->root_w );
 	soleVec3 across = soleHorizontal( work, soleSub( sample->place, point ) );
 	sample->steep = !( normalUp >= minimumUp );
@@ -33,13 +32,15 @@ static void soleReadHit( const solePlaceWork* work, const soleHit* hit, float mi
 	sample->height += sample->steep ? 0.0f : soleDot( across, sample->gradient );
 	sample->surface = hit->surface;
 	sample->velocity = soleVec3_IsFinite( hit->velocity_w ) ? hit->velocity_w : soleVec( 0.0f, 0.0f, 0.0f );
+	// What is as far off as no probe reaches was not asked for.
+	float reach = 2.0f * ( work->settings->probe.stepUp + work->settings->probe.stepDown ) * leg->length;
+	float over = sample->height - work->reference;
+	return over < reach && over > -reach;
 }
 
-static void soleReadSamples( const solePlaceWork* work, soleLegWork* leg, const soleHit* hits, int32_t hitCount )
+static void soleReadSamples(
+    const solePlaceWork* work, soleLegWork* leg, const soleHit* hits, int32_t hitCount, float minimumUp )
 {
-	float reach = 2.0f * ( work->settings->probe.stepUp + work->settings->probe.stepDown ) * leg->length;
-	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
-	float minimumUp = limit.c * limit.c - limit.s * limit.s;
 	leg->sampleCount = 0;
 	leg->hasGround = false;
 	for ( int32_t i = 0; i < hitCount; ++i )
@@ -52,13 +53,7 @@ static void soleReadSamples( const solePlaceWork* work, soleLegWork* leg, const 
 		}
 		soleGroundSample* sample = leg->samples + leg->sampleCount;
 		*sample = ( soleGroundSample ){ .place = soleSub( asked, work->root_w ), .surface = SOLE_NONE };
-		sample->found = soleIsGround( work, leg, hit );
-		if ( sample->found )
-		{
-			soleReadHit( work, hit, minimumUp, sample );
-			float over = sample->height - work->reference;
-			sample->found = over < reach && over > -reach;
-		}
+		sample->found = soleReadHit( work, leg, hit, minimumUp, sample );
 		leg->out->flags |= hit->startedInside ? (uint32_t)sole_legInside : 0u;
 		leg->hasGround = leg->hasGround || sample->found;
 		leg->sampleCount += soleVec3_IsFinite( sample->place ) ? 1 : 0;
@@ -84,6 +79,8 @@ static void soleCountUnmet( solePlaceWork* work )
 void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
 {
 	int32_t perLeg = soleProbesPerLeg( work->settings );
+	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
+	float minimumUp = limit.c * limit.c - limit.s * limit.s;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleLegWork* leg = work->legs + i;
@@ -92,7 +89,7 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 			continue;
 		}
 		int32_t first = soleMinI( i * perLeg, hitCount );
-		soleReadSamples( work, leg, hits + first, soleMinI( perLeg, hitCount - first ) );
+		soleReadSamples( work, leg, hits + first, soleMinI( perLeg, hitCount - first ), minimumUp );
 		soleRest rest = soleRestSole( work, leg, leg->print, false );
 		leg->raw = rest.plane;
 		leg->toeSlope = rest.toeSlope;
