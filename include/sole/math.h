@@ -264,12 +264,13 @@ static inline bool soleIsFinite( float x )
 
 static inline bool soleVec3_IsFinite( soleVec3 v )
 {
-	return soleIsFinite( v.x ) && soleIsFinite( v.y ) && soleIsFinite( v.z );
+	// Of what is not finite the difference from itself is no number, and that spreads.
+	return ( ( v.x - v.x ) + ( v.y - v.y ) ) + ( v.z - v.z ) == 0.0f;
 }
 
 static inline bool soleQuat_IsFinite( soleQuat q )
 {
-	return soleIsFinite( q.x ) && soleIsFinite( q.y ) && soleIsFinite( q.z ) && soleIsFinite( q.w );
+	return ( ( q.x - q.x ) + ( q.y - q.y ) ) + ( ( q.z - q.z ) + ( q.w - q.w ) ) == 0.0f;
 }
 
 #endif

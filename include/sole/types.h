@@ -452,7 +452,9 @@ typedef struct soleBodyState
 /// What Sole remembers of one leg. World positions are in the last frame's world coordinates.
 typedef struct soleLegState
 {
-	uint32_t flags;      // soleLegStateFlags, internal
+	uint32_t flags; // soleLegStateFlags, internal
+	// The body's surface comes next: all that follows are floats, and checked to be finite as such.
+	soleBodyState body;
 	float plantWeight;   // 0 free .. 1 has its full say in the pelvis
 	soleVec3 animHeel_w; // last animated sole points, for velocities
 	soleVec3 animBall_w;
@@ -463,25 +465,24 @@ typedef struct soleLegState
 	soleVec3 stepPlace_w; // where it is going to, or stands: ball
 	soleVec3 stepNormal_w;
 	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
-	soleBodyState body;
-	soleVec3 heldShift;   // how far from the animation the foot was when it came to be held
-	float strayTime;      // for how long it has been further off than that, s
-	float missTime;       // for how long nothing was met under it while it stands, s
-	float shortfall;      // how far the foot was from where it was wanted, of the leg's length
-	float restep;         // what is left of a step by which it follows, s
-	float restepTime;     // how long that takes, s
-	soleVec3 learntPlace; // where it came down the last time, as seen from the root, character space
-	float learntFlight;   // how long it was in the air, s
-	float learntSpeed;    // how fast the root was
-	float toeSlope;       // of the ground in front of the ball over the plane, as last known
-	soleOffset1 toe;      // what is left of its changes
-	float chosenOver;     // how far its plane is over what is met under it
-	float stepLift[3];    // by how much its way is lifted over what lies between, at 1/4, 1/2 and 3/4
-	soleOffset3 slide;    // horizontal offset of the foot from the animation
-	soleOffset1 turn;     // heading offset, tan( angle / 4 )
-	soleOffset1 height;   // what is left of ground steps
-	soleOffset3 gradient; // what is left of slope changes
-	float heelRise;       // their heights over the clip's floor
+	soleVec3 heldShift;     // how far from the animation the foot was when it came to be held
+	float strayTime;        // for how long it has been further off than that, s
+	float missTime;         // for how long nothing was met under it while it stands, s
+	float shortfall;        // how far the foot was from where it was wanted, of the leg's length
+	float restep;           // what is left of a step by which it follows, s
+	float restepTime;       // how long that takes, s
+	soleVec3 learntPlace;   // where it came down the last time, as seen from the root, character space
+	float learntFlight;     // how long it was in the air, s
+	float learntSpeed;      // how fast the root was
+	float toeSlope;         // of the ground in front of the ball over the plane, as last known
+	soleOffset1 toe;        // what is left of its changes
+	float chosenOver;       // how far its plane is over what is met under it
+	float stepLift[3];      // by how much its way is lifted over what lies between, at 1/4, 1/2 and 3/4
+	soleOffset3 slide;      // horizontal offset of the foot from the animation
+	soleOffset1 turn;       // heading offset, tan( angle / 4 )
+	soleOffset1 height;     // what is left of ground steps
+	soleOffset3 gradient;   // what is left of slope changes
+	float heelRise;         // their heights over the clip's floor
 	float ballRise;
 	float positionWeight; // as far as blended in
 	float rotationWeight;

@@ -6,6 +6,8 @@
 
 #include "sole/math.h"
 
+#include <string.h>
+
 /// Cosine and sine of half of an angle.
 typedef struct soleHalf
 {
@@ -107,6 +109,20 @@ static inline float soleExpNegative( float x )
 		r *= r;
 	}
 	return r;
+}
+
+/// Floats that lie one after the other: none is infinite or no number.
+static inline bool soleAreFinite( const void* floats, size_t byteCount )
+{
+	const uint32_t exponent = 0x7f800000u;
+	uint32_t bad = 0;
+	for ( size_t i = 0; i < byteCount; i += sizeof( float ) )
+	{
+		uint32_t bits;
+		memcpy( &bits, (const char*)floats + i, sizeof bits );
+		bad |= ( bits & exponent ) == exponent ? 1u : 0u;
+	}
+	return bad == 0;
 }
 
 static inline float soleSaturate( float x )

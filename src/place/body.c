@@ -33,7 +33,7 @@ typedef struct soleBodyFit
 static soleBodyFit soleGatherPlaces( const solePlaceWork* work, bool before )
 {
 	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
-	soleVec3 ahead = soleAnyOrthogonal( work->up );
+	soleVec3 ahead = work->level;
 	soleBodyFit f = { .ahead = ahead, .aside = soleCross( work->up, ahead ) };
 	for ( int32_t i = 0; i < 2 * work->legCount; ++i )
 	{

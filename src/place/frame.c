@@ -3,7 +3,6 @@
 // the world's origin or forgotten after a jump. From here on the stages need not ask again.
 #include "base/core.h"
 #include "place/place.h"
-#include "rig/settings.h"
 
 #include <string.h>
 
@@ -11,7 +10,7 @@
 #define TELEPORT 1.5f    // leg lengths that a root can't move in a frame beyond 20 of them a second
 
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
-const soleSettings* soleCleanSettings( const soleSettings* settings, soleSettings* scratch )
+const soleSettings* soleCleanSettings( const soleRig* rig, const soleSettings* settings, soleSettings* scratch )
 {
 	SOLE_ASSERT( settings != NULL && settings->internalValue == SOLE_COOKIE );
 	if ( settings == NULL || settings->internalValue != SOLE_COOKIE )
@@ -19,7 +18,7 @@ const soleSettings* soleCleanSettings( const soleSettings* settings, soleSetting
 		*scratch = soleDefaultSettings();
 		return scratch;
 	}
-	if ( soleSettings_AreInRange( settings ) )
+	if ( soleSettings_AreInRange( settings, &rig->settingRanges ) )
 	{
 		return settings;
 	}
@@ -70,34 +69,12 @@ static void soleShiftState( soleState* state, const soleFrame* frame, int32_t le
 
 static bool soleIsStateUsable( const soleState* state, int32_t legCount )
 {
-	bool finite = soleVec3_IsFinite( state->root_w ) && soleIsFinite( state->pelvis.value ) &&
-	    soleIsFinite( state->pelvis.velocity ) &&
-	    soleIsFinite( state->pelvisLead.value + state->pelvisLead.velocity ) && soleIsFinite( state->pelvisHeld ) &&
-	    soleIsFinite( state->pelvisHeldTime + state->unmetTime + state->bodyGround + state->second.value +
-	        state->second.velocity ) &&
-	    soleVec3_IsFinite( state->bodyGradient ) && soleVec3_IsFinite( state->balance.value ) &&
-	    soleVec3_IsFinite( state->balance.velocity );
+	bool finite = soleAreFinite(
+	    &state->root_w, offsetof( soleState, unmetTime ) + sizeof( float ) - offsetof( soleState, root_w ) );
 	for ( int32_t i = 0; i < legCount; ++i )
 	{
 		const soleLegState* leg = state->legs + i;
-		finite = finite && soleVec3_IsFinite( leg->animHeel_w ) && soleVec3_IsFinite( leg->animBall_w ) &&
-		    soleVec3_IsFinite( leg->lockPoint_w ) && soleVec3_IsFinite( leg->lockForward_w ) &&
-		    soleVec3_IsFinite( leg->planePoint_w ) && soleVec3_IsFinite( leg->planeNormal_w ) &&
-		    soleVec3_IsFinite( leg->stepPlace_w ) && soleVec3_IsFinite( leg->stepLanding_w ) &&
-		    soleVec3_IsFinite( leg->stepNormal_w ) &&
-		    soleIsFinite( leg->stepLift[0] + leg->stepLift[1] + leg->stepLift[2] ) &&
-		    soleIsFinite( leg->toe.value + leg->toe.velocity ) && soleIsFinite( leg->toeSlope + leg->chosenOver ) &&
-		    soleVec3_IsFinite( leg->slide.value ) && soleVec3_IsFinite( leg->slide.velocity ) &&
-		    soleVec3_IsFinite( leg->gradient.value ) && soleVec3_IsFinite( leg->gradient.velocity ) &&
-		    soleQuat_IsFinite( leg->body.rotation ) && soleVec3_IsFinite( leg->body.place ) &&
-		    soleIsFinite( leg->turn.value ) && soleIsFinite( leg->turn.velocity ) &&
-		    soleIsFinite( leg->height.value ) && soleIsFinite( leg->height.velocity ) &&
-		    soleIsFinite( leg->plantWeight ) && soleIsFinite( leg->contactTime ) && soleIsFinite( leg->heelRise ) &&
-		    soleIsFinite( leg->ballRise ) && soleIsFinite( leg->heelSpeed ) &&
-		    soleIsFinite( leg->ballSpeed + leg->time + leg->restep + leg->restepTime + leg->strayTime ) &&
-		    soleVec3_IsFinite( leg->heldShift ) && soleVec3_IsFinite( leg->learntPlace ) &&
-		    soleIsFinite( leg->learntFlight + leg->learntSpeed + leg->shortfall + leg->missTime ) &&
-		    soleIsFinite( leg->positionWeight + leg->rotationWeight );
+		finite = finite && soleAreFinite( &leg->body.rotation, sizeof *leg - offsetof( soleLegState, body.rotation ) );
 	}
 	return finite;
 }
@@ -146,6 +123,7 @@ void soleSetUpFrame( solePlaceWork* work )
 	soleQuat rotation = soleNormalizeQuat( frame->root.rotation );
 	work->rootUp = soleRotate( rotation, work->rig->up );
 	work->up = soleNormalizeOr( frame->up, work->rootUp );
+	work->level = soleAnyOrthogonal( work->up );
 	work->rootScale = frame->root.scale.x;
 	work->root_w = frame->root.translation;
 	work->floor = soleRotate( rotation, soleMul( frame->root.scale, soleScale( frame->clipFloor, work->rig->up ) ) );

@@ -155,7 +155,7 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	memcpy( &copy, state, soleState_GetByteCount( rig ) );
 	soleTakeState( rig, frame, &copy );
 	solePlaceWork work;
-	soleBeginWork( &work, rig, soleCleanSettings( settings, &scratch ), &copy, frame, &out );
+	soleBeginWork( &work, rig, soleCleanSettings( rig, settings, &scratch ), &copy, frame, &out );
 	soleSetUpFrame( &work );
 	soleSense( &work );
 	soleForesee( &work );
@@ -188,7 +188,7 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	soleTakeState( rig, frame, state );
 	soleSettings scratch;
 	solePlaceWork work;
-	soleBeginWork( &work, rig, soleCleanSettings( settings, &scratch ), state, frame, output );
+	soleBeginWork( &work, rig, soleCleanSettings( rig, settings, &scratch ), state, frame, output );
 	soleSetUpFrame( &work );
 	solePassThrough( rig, frame, work.second, output );
 	soleRunStages( &work, hits, hitCount > 0 ? hitCount : 0 );

@@ -179,6 +179,7 @@ typedef struct solePlaceWork
 	soleOutput* out;
 
 	soleVec3 up;     // world
+	soleVec3 level;  // any direction across it
 	soleVec3 rootUp; // the rig's up carried by the root
 	soleVec3 floor;  // a point of the clip's floor
 	float reference; // its height
@@ -315,7 +316,7 @@ static inline soleTransform soleReadPose( const soleFrame* frame, float second, 
 
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 /// @param scratch what is returned, where they had to be changed
-const soleSettings* soleCleanSettings( const soleSettings* settings, soleSettings* scratch );
+const soleSettings* soleCleanSettings( const soleRig* rig, const soleSettings* settings, soleSettings* scratch );
 bool soleIsFrameUsable( const soleFrame* frame );
 /// A state that is usable in this frame's world: the default one where it was not.
 void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );

@@ -70,7 +70,7 @@ static void soleAimHeld( const solePlaceWork* work, soleLegWork* leg, soleVec3 n
 {
 	const soleLegState* state = leg->state;
 	soleVec3 held = soleSub( state->lockPoint_w, work->root_w );
-	leg->soleForward = soleNormalizeOr( soleHorizontal( work, state->lockForward_w ), soleAnyOrthogonal( work->up ) );
+	leg->soleForward = soleNormalizeOr( soleHorizontal( work, state->lockForward_w ), work->level );
 	float ahead = ( state->flags & sole_stateByHeel ) != 0 ? leg->rig->heelBehind : 0.0f;
 	ahead = work->settings->contact.pivot == sole_pivotAnkle ? leg->rig->ankleBehind : ahead;
 	float along = soleMakeFootprint( work, held, leg->soleForward, normal ).along;

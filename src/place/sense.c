@@ -9,7 +9,7 @@
 
 static bool soleTransform_IsFinite( soleTransform t )
 {
-	return soleVec3_IsFinite( t.translation ) && soleQuat_IsFinite( t.rotation ) && soleVec3_IsFinite( t.scale );
+	return soleAreFinite( &t, sizeof t );
 }
 
 static void soleEvaluateSlots( solePlaceWork* work )
@@ -66,12 +66,14 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	leg->ball = soleTransformPoint( fore, rig->foreBall );
 	leg->pivot = rig->toeSlot == SOLE_NONE ? leg->ball : fore.translation;
 	soleVec3 ahead = soleRotate( leg->foot.rotation, rig->footForward );
-	// A foot that points straight up or down is headed where its underside or top faces.
-	soleVec3 over = soleRotate( leg->foot.rotation, rig->footUp );
-	soleVec3 fallback = soleScale( soleDot( ahead, work->up ) > 0.0f ? -1.0f : 1.0f, over );
-	fallback = soleNormalizeOr( soleHorizontal( work, fallback ), soleAnyOrthogonal( work->up ) );
 	soleVec3 level = soleHorizontal( work, ahead );
-	leg->forward = soleDot( level, level ) < 1e-4f ? fallback : soleNormalizeOr( level, fallback );
+	if ( soleDot( level, level ) < 1e-4f )
+	{
+		// A foot that points straight up or down is headed where its underside or top faces.
+		soleVec3 over = soleRotate( leg->foot.rotation, rig->footUp );
+		level = soleHorizontal( work, soleScale( soleDot( ahead, work->up ) > 0.0f ? -1.0f : 1.0f, over ) );
+	}
+	leg->forward = soleNormalizeOr( level, work->level );
 
 	leg->heelRise = soleDot( soleSub( leg->heel, work->floor ), work->rootUp );
 	leg->ballRise = soleDot( soleSub( leg->ball, work->floor ), work->rootUp );

@@ -46,11 +46,11 @@ static void soleReadSamples(
 	for ( int32_t i = 0; i < hitCount; ++i )
 	{
 		const soleHit* hit = hits + i;
-		soleVec3 asked = soleVec3_IsFinite( hit->asked_w ) ? hit->asked_w : hit->point_w;
-		if ( hit->hit == false && soleDot( asked, asked ) == 0.0f )
+		if ( hit->hit == false && hit->asked_w.x == 0.0f && hit->asked_w.y == 0.0f && hit->asked_w.z == 0.0f )
 		{
 			continue; // was not cast
 		}
+		soleVec3 asked = soleVec3_IsFinite( hit->asked_w ) ? hit->asked_w : hit->point_w;
 		soleGroundSample* sample = leg->samples + leg->sampleCount;
 		*sample = ( soleGroundSample ){ .place = soleSub( asked, work->root_w ), .surface = SOLE_NONE };
 		sample->found = soleReadHit( work, leg, hit, minimumUp, sample );
@@ -58,6 +58,14 @@ static void soleReadSamples(
 		leg->hasGround = leg->hasGround || sample->found;
 		leg->sampleCount += soleVec3_IsFinite( sample->place ) ? 1 : 0;
 	}
+}
+
+/// A foot in flight that the host says is one, to a foothold that is foreseen: what is under it now does not matter.
+static bool soleIsOnItsWay( const soleLegWork* leg )
+{
+	const soleContactInput* told = &leg->contactInput;
+	bool free = told->heel >= 0.0f && told->heel < 0.5f && told->toe >= 0.0f && told->toe < 0.5f;
+	return free && leg->foreseen;
 }
 
 static void soleCountUnmet( solePlaceWork* work )
@@ -90,6 +98,11 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 		}
 		int32_t first = soleMinI( i * perLeg, hitCount );
 		soleReadSamples( work, leg, hits + first, soleMinI( perLeg, hitCount - first ), minimumUp );
+		if ( soleIsOnItsWay( leg ) )
+		{
+			leg->surface = SOLE_NONE;
+			continue;
+		}
 		soleRest rest = soleRestSole( work, leg, leg->print, false );
 		leg->raw = rest.plane;
 		leg->toeSlope = rest.toeSlope;

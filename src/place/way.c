@@ -102,13 +102,16 @@ static int32_t soleFindClearances(
 			// Where the ball is while that part of the foot passes over the place, if it does.
 			soleVec3 ball = soleMulAdd( soleSub( sample->place, way->from ), -parts[k], leg->landingForward );
 			float s = soleDot( ball, d ) / ( length * length );
+			if ( !( s > NEAR_END && s < 1.0f - NEAR_END ) )
+			{
+				continue;
+			}
 			soleVec3 off = soleHorizontal( work, soleMulAdd( ball, -s, d ) );
 			soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
 			// A foot that flies in parallel to the slope under it.
 			float height = soleDot( soleLerp( way->from, way->to, s ), work->up ) +
 			    parts[k] * soleDot( gradient, leg->landingForward );
-			if ( soleLength( off ) < BESIDE * leg->length && s > NEAR_END && s < 1.0f - NEAR_END &&
-			    sample->height > height )
+			if ( sample->height > height && soleLength( off ) < BESIDE * leg->length )
 			{
 				list[count++] = ( soleClearance ){ s, sample->height - height };
 			}

@@ -309,6 +309,7 @@ soleResult soleCreateRig(
 	rig->pelvis = def->pelvis;
 	rig->up = soleNormalizeOr( def->up, soleVec( 0.0f, 1.0f, 0.0f ) );
 	rig->forward = soleNormalizeOr( soleReject( def->forward, rig->up ), soleAnyOrthogonal( rig->up ) );
+	soleFillSettingRanges( &rig->settingRanges );
 	rig->legCount = def->legCount;
 	rig->pelvisSlot = soleAddSlot( rig, def->pelvis );
 	if ( rig->pelvisSlot == SOLE_NONE )

@@ -4,6 +4,7 @@
 #define SOLE_RIG_RIG_H
 
 #include "base/math_internal.h"
+#include "rig/settings.h"
 #include "sole/sole.h"
 
 /// Joints that have to be evaluated each frame: the legs', the pelvis and all above them.
@@ -72,6 +73,7 @@ struct soleRig
 	int32_t pelvis;
 	soleVec3 up;
 	soleVec3 forward;
+	soleSettingRanges settingRanges;
 	int32_t legCount;
 	soleRigLeg legs[SOLE_MAX_LEGS];
 };

@@ -148,26 +148,44 @@ void soleSettings_Set( soleSettings* settings, const soleSettingInfo* info, doub
 	}
 }
 
-bool soleSettings_AreInRange( const soleSettings* settings )
+void soleFillSettingRanges( soleSettingRanges* ranges )
 {
-	const int32_t count = (int32_t)( sizeof soleSettingInfos / sizeof soleSettingInfos[0] );
-	bool inRange = true;
+	memset( ranges, 0, sizeof *ranges );
+	int32_t count;
+	const soleSettingInfo* infos = soleGetSettingInfos( &count );
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		const soleSettingInfo* info = soleSettingInfos + i;
-		if ( info->type == sole_settingFloat )
-		{
-			float value;
-			memcpy( &value, (const char*)settings + info->offset, sizeof value );
-			inRange = inRange && value >= (float)info->minimum && value <= (float)info->maximum;
-		}
-		else
-		{
-			double value = soleSettings_Get( settings, info );
-			inRange = inRange && value >= info->minimum && value <= info->maximum;
-		}
+		size_t word = infos[i].offset / sizeof( float );
+		bool isFloat = infos[i].type == sole_settingFloat;
+		bool isMask = infos[i].type == sole_settingMask;
+		ranges->isFloat[word] = isFloat ? UINT32_MAX : 0u;
+		ranges->low[word] = isFloat ? (float)infos[i].minimum : 0.0f;
+		ranges->high[word] = isFloat ? (float)infos[i].maximum : 0.0f;
+		ranges->lowInteger[word] = isMask ? INT32_MIN : 0;
+		ranges->highInteger[word] = isMask ? INT32_MAX : ( isFloat ? 0 : (int32_t)infos[i].maximum );
 	}
-	return inRange;
+}
+
+bool soleSettings_AreInRange( const soleSettings* settings, const soleSettingRanges* ranges )
+{
+	uint32_t words[SOLE_SETTING_WORDS];
+	memcpy( words, settings, sizeof words );
+	uint32_t out = 0;
+	for ( size_t i = 0; i < SOLE_SETTING_WORDS; ++i )
+	{
+		uint32_t isFloat = ranges->isFloat[i];
+		union
+		{
+			uint32_t bits;
+			float number;
+		} value = { words[i] & isFloat };
+		int32_t integer = (int32_t)( words[i] & ~isFloat );
+		// Without branches: compilers make wide code of it.
+		uint32_t within = (uint32_t)( value.number >= ranges->low[i] ) & (uint32_t)( value.number <= ranges->high[i] );
+		within &= (uint32_t)( integer >= ranges->lowInteger[i] ) & (uint32_t)( integer <= ranges->highInteger[i] );
+		out |= within ^ 1u;
+	}
+	return out == 0;
 }
 
 soleSettings soleDefaultSettings( void )
