@@ -9,73 +9,20 @@
 // 3. The plane of a rigid sole that rests on the level: minimise its height c at the load point p subject to lying on
 //    or above every sample,  min c + g.p  s.t.  c + g.x_i >= h_i.  By duality of this linear program its optimum is the
 //    highest, at p, of all planes through three samples whose triangle holds p; that plane then lies on or above all
-//    others. Where no triangle holds p the best pair that brackets it along the foot gives the pitch; else the highest
-//    sample gives a flat plane. A foot that knows a single sample has the slope of the face that was met.
-//    Samples on faces too steep to walk on never tilt it: they only hold it up.
+//    others. It is found by the simplex method: from any such triangle, the sample that is highest over its plane takes
+//    the place of a corner until none is. Where no triangle holds p the best pair that brackets it along the foot gives
+//    the pitch; else the highest sample gives a flat plane. A foot that knows a single sample has the slope of the face
+//    that was met. Samples on faces too steep to walk on never tilt it: they only hold it up.
 // 4. The slope is clamped to what is walkable, and the height set anew so that the plane touches the level and no
 //    sample is above it.
 // 5. Ahead of the ball the samples also say how far the ground there stands over or under that plane: the toes' slope.
 #include "place/rest.h"
 
+#include "place/rest_plane.h"
+
 #define MARGIN 0.012f      // L, around the sole
 #define BEARS_UNDER 0.011f // L: a place this far under the sole bears it: 1 cm of a leg of 0.9 m
 #define TOES_UP 0.65f      // rise per length: 33 degrees, toes that flip up further on a stone look broken
-#define MAX_POINTS SOLE_MAX_PROBES_PER_LEG
-
-/// Samples in the foot's own frame, around the load point. Subsets are bits, one a point.
-typedef struct soleRestPoints
-{
-	float u[MAX_POINTS]; // ahead
-	float v[MAX_POINTS]; // to the side
-	float h[MAX_POINTS]; // up
-	const soleGroundSample* samples[MAX_POINTS];
-	int32_t count;
-	uint32_t ahead; // of the ball line
-	uint32_t under; // within the sole, without the margin
-	uint32_t steep;
-	int32_t asked;      // places under the sole, with those where nothing was met
-	int32_t askedAhead; // those ahead of the ball line
-	bool atHeel, atToe; // places near both ends of the sole were asked for
-	float gap;          // largest distance between those asked for in between
-} soleRestPoints;
-
-/// c + gu u + gv v
-typedef struct soleFit
-{
-	float c, gu, gv;
-} soleFit;
-
-static bool soleHas( uint32_t set, int32_t i )
-{
-	return ( set >> i & 1u ) != 0;
-}
-
-static uint32_t soleBit( int32_t i )
-{
-	return 1u << i;
-}
-
-/// The points of a set, in order. @return how many
-static int32_t soleList( uint32_t set, int32_t list[MAX_POINTS] )
-{
-	int32_t count = 0;
-	for ( int32_t i = 0; set != 0; ++i, set >>= 1 )
-	{
-		list[count] = i;
-		count += (int32_t)( set & 1u );
-	}
-	return count;
-}
-
-static int32_t soleCount( uint32_t set )
-{
-	int32_t count = 0;
-	for ( ; set != 0; set &= set - 1u )
-	{
-		++count;
-	}
-	return count;
-}
 
 // ------------------------------------------------------------------------------------------------------- footprint
 
@@ -113,7 +60,7 @@ static void soleFindPoints(
 	float left = soleMinF( inner, outer );
 	float narrow = line ? 0.25f : 1.0f;
 	float beside = line ? 0.0f : margin;
-	float asked[MAX_POINTS];
+	float asked[SOLE_MAX_REST_POINTS];
 	int32_t askedCount = 0;
 	found->count = 0;
 	found->ahead = 0;
@@ -157,199 +104,6 @@ static void soleFindPoints(
 		}
 	}
 	found->gap = soleFindGap( asked, askedCount );
-}
-
-// ---------------------------------------------------------------------------------------------------------- levels
-
-/// Points are neighbours when no other point is nearer to both: the relative neighbourhood graph. That is rows and
-/// columns in the layouts here, and stays right when probes are missing or late.
-static bool soleAreNeighbours( const soleRestPoints* p, int32_t i, int32_t j, float d2 )
-{
-	for ( int32_t k = 0; k < p->count; ++k )
-	{
-		float iu = p->u[i] - p->u[k], iv = p->v[i] - p->v[k];
-		float ju = p->u[j] - p->u[k], jv = p->v[j] - p->v[k];
-		if ( iu * iu + iv * iv < d2 && ju * ju + jv * jv < d2 && k != i && k != j )
-		{
-			return false;
-		}
-	}
-	return true;
-}
-
-/// May these two be on one level? If all may, all are: neighbours join the whole.
-static bool soleAreLevel( const soleRestPoints* p, int32_t i, int32_t j, float d2, float gap )
-{
-	float step = p->h[i] > p->h[j] ? p->h[i] - p->h[j] : p->h[j] - p->h[i];
-	float more = step - gap;
-	return !( more > 0.0f ) || more * more <= d2;
-}
-
-static float soleDistance2( const soleRestPoints* p, int32_t i, int32_t j )
-{
-	float du = p->u[i] - p->u[j], dv = p->v[i] - p->v[j];
-	return du * du + dv * dv;
-}
-
-static bool soleAreAllLevel( const soleRestPoints* p, float gap )
-{
-	for ( int32_t i = 0; i < p->count; ++i )
-	{
-		for ( int32_t j = i + 1; j < p->count; ++j )
-		{
-			if ( soleAreLevel( p, i, j, soleDistance2( p, i, j ), gap ) == false )
-			{
-				return false;
-			}
-		}
-	}
-	return true;
-}
-
-/// @param levels per point the set that it belongs to
-static void soleJoinLevels( const soleRestPoints* p, float gap, uint32_t levels[MAX_POINTS] )
-{
-	for ( int32_t i = 0; i < p->count; ++i )
-	{
-		levels[i] = soleBit( i );
-	}
-	for ( int32_t i = 0; i < p->count; ++i )
-	{
-		for ( int32_t j = i + 1; j < p->count; ++j )
-		{
-			if ( soleHas( levels[i], j ) )
-			{
-				continue;
-			}
-			float d2 = soleDistance2( p, i, j );
-			if ( soleAreLevel( p, i, j, d2, gap ) && soleAreNeighbours( p, i, j, d2 ) )
-			{
-				uint32_t both = levels[i] | levels[j];
-				for ( int32_t k = 0; k < p->count; ++k )
-				{
-					levels[k] = soleHas( both, k ) ? both : levels[k];
-				}
-			}
-		}
-	}
-}
-
-/// The level that has the highest point under the sole. The others are left out: what hangs, and what stands beside it.
-static uint32_t soleFindHighestLevel( const soleRestPoints* p, float gap )
-{
-	uint32_t levels[MAX_POINTS];
-	if ( soleAreAllLevel( p, gap ) )
-	{
-		return p->count < MAX_POINTS ? soleBit( p->count ) - 1u : ~0u;
-	}
-	soleJoinLevels( p, gap, levels );
-	int32_t highest = 0;
-	for ( int32_t i = 1; i < p->count; ++i )
-	{
-		bool under = soleHas( p->under, i );
-		bool higher = under == soleHas( p->under, highest ) ? p->h[i] > p->h[highest] : under;
-		highest = higher ? i : highest;
-	}
-	return levels[highest];
-}
-
-// ----------------------------------------------------------------------------------------------------- resting plane
-
-/// The plane through three points if their triangle holds the load point (the origin).
-static bool soleFitTriangle( const soleRestPoints* p, int32_t i, int32_t j, int32_t k, float area, soleFit* fit )
-{
-	float u = p->u[i], v = p->v[i], h = p->h[i];
-	float bu = p->u[j] - u, bv = p->v[j] - v, cu = p->u[k] - u, cv = p->v[k] - v;
-	float d = bu * cv - cu * bv;
-	if ( d < area && d > -area )
-	{
-		return false;
-	}
-	float s = 1.0f / d;
-	float wb = s * ( -u * cv + v * cu );
-	float wc = s * ( -bu * v + bv * u );
-	float wa = 1.0f - wb - wc;
-	if ( wa < -1e-5f || wb < -1e-5f || wc < -1e-5f )
-	{
-		return false;
-	}
-	float bh = p->h[j] - h, ch = p->h[k] - h;
-	fit->gu = s * ( bh * cv - ch * bv );
-	fit->gv = s * ( bu * ch - cu * bh );
-	fit->c = h - fit->gu * u - fit->gv * v;
-	return true;
-}
-
-/// The slope along the foot through the best pair that brackets the load point.
-static bool soleFitPair( const soleRestPoints* p, int32_t i, int32_t j, float shortest, soleFit* fit )
-{
-	float du = p->u[j] - p->u[i];
-	if ( ( du < shortest && du > -shortest ) || p->u[i] * p->u[j] > 0.0f )
-	{
-		return false;
-	}
-	fit->gu = ( p->h[j] - p->h[i] ) / du;
-	fit->gv = 0.0f;
-	fit->c = p->h[i] - fit->gu * p->u[i];
-	return true;
-}
-
-/// @param line they lie on one: there are no triangles
-static soleFit soleFitResting( const soleRestPoints* p, uint32_t set, bool line, float footLength )
-{
-	int32_t list[MAX_POINTS];
-	int32_t n = soleList( set, list );
-	float area = 1e-3f * footLength * footLength;
-	soleFit best = { 0.0f, 0.0f, 0.0f };
-	bool found = false;
-	soleFit fit;
-	for ( int32_t i = 0; i < n && line == false; ++i )
-	{
-		for ( int32_t j = i + 1; j < n; ++j )
-		{
-			for ( int32_t k = j + 1; k < n; ++k )
-			{
-				bool holds = soleFitTriangle( p, list[i], list[j], list[k], area, &fit );
-				if ( holds && ( found == false || fit.c > best.c ) )
-				{
-					best = fit;
-					found = true;
-				}
-			}
-		}
-	}
-	if ( found )
-	{
-		return best;
-	}
-	for ( int32_t i = 0; i < n; ++i )
-	{
-		for ( int32_t j = i + 1; j < n; ++j )
-		{
-			bool brackets = soleFitPair( p, list[i], list[j], 0.05f * footLength, &fit );
-			if ( brackets && ( found == false || fit.c > best.c ) )
-			{
-				best = fit;
-				found = true;
-			}
-		}
-	}
-	return best; // flat, where nothing was found; raised by soleTouch
-}
-
-/// Sets the height so that the plane touches the level and no point is above it.
-static void soleTouch( const soleRestPoints* p, uint32_t set, soleFit* fit )
-{
-	bool first = true;
-	for ( int32_t i = 0; i < p->count; ++i )
-	{
-		if ( soleHas( set, i ) )
-		{
-			float c = p->h[i] - fit->gu * p->u[i] - fit->gv * p->v[i];
-			fit->c = first || c > fit->c ? c : fit->c;
-			first = false;
-		}
-	}
 }
 
 /// The points that may tilt the sole: toes bend, so they are left out where enough is left to carry it, and steep faces
@@ -433,10 +187,9 @@ static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, c
 	uint32_t tilting = soleTakeTilting( points, level, bends );
 	uint32_t rigid = soleTakeRigid( points, level, bends );
 	soleFit fit = soleFitResting( points, tilting, line, soleMaxF( foot, 1e-3f * leg->length ) );
-	int32_t list[MAX_POINTS];
-	if ( points->asked == 1 && soleList( tilting, list ) == 1 )
+	if ( points->asked == 1 && points->count == 1 && tilting != 0 )
 	{
-		soleVec3 gradient = points->samples[list[0]]->gradient;
+		soleVec3 gradient = points->samples[0]->gradient;
 		fit.gu = soleDot( gradient, print.forward );
 		fit.gv = soleDot( gradient, print.side );
 	}

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Points in the frame of a sole, sets of them, and the planes that lie on them: what resting is made of.
+#ifndef SOLE_PLACE_REST_PLANE_H
+#define SOLE_PLACE_REST_PLANE_H
+
+#include "place/place.h"
+
+#define SOLE_MAX_REST_POINTS SOLE_MAX_PROBES_PER_LEG
+
+/// Samples in the foot's own frame, around the load point. Subsets are bits, one a point.
+typedef struct soleRestPoints
+{
+	float u[SOLE_MAX_REST_POINTS]; // ahead
+	float v[SOLE_MAX_REST_POINTS]; // to the side
+	float h[SOLE_MAX_REST_POINTS]; // up
+	const soleGroundSample* samples[SOLE_MAX_REST_POINTS];
+	int32_t count;
+	uint32_t ahead; // of the ball line
+	uint32_t under; // within the sole, without the margin
+	uint32_t steep;
+	int32_t asked;      // places under the sole, with those where nothing was met
+	int32_t askedAhead; // those ahead of the ball line
+	bool atHeel, atToe; // places near both ends of the sole were asked for
+	float gap;          // largest distance between those asked for in between
+} soleRestPoints;
+
+/// c + gu u + gv v
+typedef struct soleFit
+{
+	float c, gu, gv;
+} soleFit;
+
+static inline bool soleHas( uint32_t set, int32_t i )
+{
+	return ( set >> i & 1u ) != 0;
+}
+
+static inline uint32_t soleBit( int32_t i )
+{
+	return 1u << i;
+}
+
+static inline int32_t soleCount( uint32_t set )
+{
+	int32_t count = 0;
+	for ( ; set != 0; set &= set - 1u )
+	{
+		++count;
+	}
+	return count;
+}
+
+/// The level that has the highest point under the sole.
+/// @param gap heights that differ by as much more than they are apart are not on one level
+uint32_t soleFindHighestLevel( const soleRestPoints* p, float gap );
+
+/// The highest plane at the load point through points of a set that hold it between them: three, or two along the foot
+/// where no three do. Flat where no two do.
+/// @param line they lie on one: there are no triangles
+soleFit soleFitResting( const soleRestPoints* p, uint32_t set, bool line, float footLength );
+
+/// Sets the height so that the plane touches points of the set and none is above it.
+void soleTouch( const soleRestPoints* p, uint32_t set, soleFit* fit );
+
+#endif
