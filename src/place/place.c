@@ -102,15 +102,28 @@ static void soleWritePelvis( solePlaceWork* work )
 
 // ------------------------------------------------------------------------------------------------------- the frame
 
-static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
+void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+    const soleFrame* frame, soleOutput* out )
 {
+	memset( work, 0, offsetof( solePlaceWork, slots ) );
+	work->rig = rig;
+	work->settings = settings;
+	work->state = state;
+	work->frame = frame;
+	work->out = out;
+	soleTakeState( rig, frame, state );
+	soleSetUpFrame( work );
 	soleSense( work );
 	soleForesee( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleAimSole( work, work->legs + i );
 	}
-	soleFindSupport( work, hits, hitCount );
+}
+
+static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
+{
+	soleFindSupport( work, hits );
 	soleUpdateContact( work );
 	soleLearnSteps( work );
 	soleTakeResteps( work );
@@ -129,16 +142,37 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	soleWritePelvis( work );
 }
 
-static void soleBeginWork( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
-    const soleFrame* frame, soleOutput* out )
+void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* output )
 {
-	memset( work, 0, offsetof( solePlaceWork, slots ) );
-	work->rig = rig;
-	work->settings = settings;
-	work->state = state;
-	work->frame = frame;
-	work->out = out;
+	solePassThrough( rig, frame, 0.0f, output );
+	for ( int32_t i = 0; i < rig->legCount; ++i )
+	{
+		output->legs[i].flags = (uint32_t)sole_legBadInput;
+	}
+	soleScrubOutput( rig, output );
 }
+
+void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
+    const soleLegHits* hits, soleOutput* output )
+{
+	solePassThrough( rig, frame, 0.0f, output );
+	solePlaceWork work;
+	soleBeginFrame( &work, rig, settings, state, frame, output );
+	if ( work.second > 0.0f )
+	{
+		solePassThrough( rig, frame, work.second, output );
+	}
+	soleRunStages( &work, hits );
+	for ( int32_t i = 0; i < rig->legCount; ++i )
+	{
+		output->legs[i].flags |= work.legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
+	}
+	state->root_w = work.root_w;
+	state->frameCount = work.first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
+	soleScrubOutput( rig, output );
+}
+
+// -------------------------------------------------------------------------------------------------- one character
 
 int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, const soleState* state,
     const soleFrame* frame, soleProbe* probes, int32_t capacity )
@@ -153,17 +187,16 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	soleOutput out;
 	soleState copy;
 	memcpy( &copy, state, soleState_GetByteCount( rig ) );
-	soleTakeState( rig, frame, &copy );
 	solePlaceWork work;
-	soleBeginWork( &work, rig, soleCleanSettings( rig, settings, &scratch ), &copy, frame, &out );
-	soleSetUpFrame( &work );
-	soleSense( &work );
-	soleForesee( &work );
-	for ( int32_t i = 0; i < work.legCount; ++i )
+	soleBeginFrame( &work, rig, soleCleanSettings( rig, settings, &scratch ), &copy, frame, &out );
+	// Probes that are not needed are handed out all the same: how many there are depends on rig and settings alone.
+	int32_t perLeg = soleProbesPerLeg( work.settings );
+	int32_t count = soleMinI( capacity, work.legCount * perLeg );
+	for ( int32_t i = 0; i < count; ++i )
 	{
-		soleAimSole( &work, work.legs + i );
+		soleAskGround( &work, work.legs + i / perLeg, i % perLeg, probes + i );
 	}
-	return soleProbeGround( &work, probes, capacity );
+	return count > 0 ? count : 0;
 }
 
 void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
@@ -177,28 +210,18 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	}
 	if ( given == false || !soleIsFrameUsable( frame ) )
 	{
-		solePassThrough( rig, given ? frame : NULL, 0.0f, output );
-		for ( int32_t i = 0; i < rig->legCount; ++i )
-		{
-			output->legs[i].flags = (uint32_t)sole_legBadInput;
-		}
-		soleScrubOutput( rig, output );
+		soleRefuseFrame( rig, given ? frame : NULL, output );
 		return;
 	}
-	soleTakeState( rig, frame, state );
 	soleSettings scratch;
-	solePlaceWork work;
-	soleBeginWork( &work, rig, soleCleanSettings( rig, settings, &scratch ), state, frame, output );
-	soleSetUpFrame( &work );
-	solePassThrough( rig, frame, work.second, output );
-	soleRunStages( &work, hits, hitCount > 0 ? hitCount : 0 );
-	for ( int32_t i = 0; i < rig->legCount; ++i )
+	const soleSettings* clean = soleCleanSettings( rig, settings, &scratch );
+	soleLegHits byLeg = { .hits = hits };
+	int32_t perLeg = soleProbesPerLeg( clean );
+	for ( int32_t i = 0; i <= rig->legCount; ++i )
 	{
-		output->legs[i].flags |= work.legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
+		byLeg.starts[i] = soleMinI( i * perLeg, hitCount > 0 ? hitCount : 0 );
 	}
-	state->root_w = work.root_w;
-	state->frameCount = work.first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
-	soleScrubOutput( rig, output );
+	soleSolveFrame( rig, clean, state, frame, &byLeg, output );
 }
 
 void soleBlendSecondPose(

@@ -314,6 +314,23 @@ static inline soleTransform soleReadPose( const soleFrame* frame, float second, 
 		soleLerp( a.scale, b.scale, second ) };
 }
 
+/// The answers of a frame, leg by leg: those of leg i begin at starts[i] and end at starts[i + 1].
+typedef struct soleLegHits
+{
+	const soleHit* hits;
+	int32_t starts[SOLE_MAX_LEGS + 1];
+} soleLegHits;
+
+/// What gathering and solving have in common: everything up to where the soles are. The state is taken in, and may be
+/// changed; the output is written to by stages.
+void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+    const soleFrame* frame, soleOutput* out );
+/// The rest of a frame. Settings in their ranges, a frame that is usable.
+void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
+    const soleLegHits* hits, soleOutput* output );
+/// The output of a frame that is not usable.
+void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* output );
+
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 /// @param scratch what is returned, where they had to be changed
 const soleSettings* soleCleanSettings( const soleRig* rig, const soleSettings* settings, soleSettings* scratch );
@@ -336,12 +353,12 @@ void soleRememberBodies( solePlaceWork* work );
 void soleSense( solePlaceWork* work );
 /// When and where feet in flight will come down.
 void soleForesee( solePlaceWork* work );
-/// What to ask of the ground. @return number of probes written
-int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity );
+/// Probe k of a leg, below soleProbesPerLeg(). @return false: it is not asked, has no length and no place
+bool soleAskGround( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleProbe* probe );
 /// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
 void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 /// Hits to the plane that carries the sole.
-void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount );
+void soleFindSupport( solePlaceWork* work, const soleLegHits* hits );
 /// Which part of the foot is on the ground, and since when.
 void soleUpdateContact( solePlaceWork* work );
 /// How long a step took and where it went, for the next.

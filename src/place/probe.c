@@ -299,36 +299,26 @@ static float soleFindKnownHeight( const solePlaceWork* work, const soleLegWork* 
 	return stands ? soleDot( soleSub( leg->state->planePoint_w, work->root_w ), work->up ) - work->reference : 0.0f;
 }
 
-int32_t soleProbeGround( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
+bool soleAskGround( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleProbe* probe )
 {
 	const soleSettings* settings = work->settings;
-	int32_t perLeg = soleProbesPerLeg( settings );
-	int32_t count = 0;
-	for ( int32_t i = 0; i < work->legCount; ++i )
+	soleVec3 point;
+	*probe = ( soleProbe ){ .direction_w = soleNeg( work->up ),
+		.mask = settings->probe.mask,
+		.leg = (int16_t)leg->index,
+		.index = (int16_t)k };
+	if ( soleChoosePoint( work, leg, k, &point ) == false )
 	{
-		const soleLegWork* leg = work->legs + i;
-		for ( int32_t k = 0; k < perLeg && count < capacity; ++k )
-		{
-			// Probes that are not needed are asked with no length and no place: how many there are depends on rig and
-			// settings alone.
-			soleProbe* probe = probes + count++;
-			*probe = ( soleProbe ){
-				.direction_w = soleNeg( work->up ), .mask = settings->probe.mask, .leg = (int16_t)i, .index = (int16_t)k
-			};
-			soleVec3 point;
-			if ( soleChoosePoint( work, leg, k, &point ) )
-			{
-				float away = soleLength( soleHorizontal( work, point ) );
-				float rise = soleFindRise( work, leg, point );
-				float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
-				float known = soleFindKnownHeight( work, leg );
-				float up = soleMaxF( settings->probe.stepUp * leg->length, known + KNOWN * leg->length ) + further;
-				float down = soleMaxF( settings->probe.stepDown * leg->length, KNOWN * leg->length - known ) + further;
-				probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + rise + up ), work->root_w );
-				probe->length = up + down;
-				probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
-			}
-		}
+		return false;
 	}
-	return count;
+	float away = soleLength( soleHorizontal( work, point ) );
+	float rise = soleFindRise( work, leg, point );
+	float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
+	float known = soleFindKnownHeight( work, leg );
+	float up = soleMaxF( settings->probe.stepUp * leg->length, known + KNOWN * leg->length ) + further;
+	float down = soleMaxF( settings->probe.stepDown * leg->length, KNOWN * leg->length - known ) + further;
+	probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + rise + up ), work->root_w );
+	probe->length = up + down;
+	probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
+	return true;
 }

@@ -84,9 +84,8 @@ static void soleCountUnmet( solePlaceWork* work )
 
 // --------------------------------------------------------------------------------------------------------- the stage
 
-void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
+void soleFindSupport( solePlaceWork* work, const soleLegHits* hits )
 {
-	int32_t perLeg = soleProbesPerLeg( work->settings );
 	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
 	float minimumUp = limit.c * limit.c - limit.s * limit.s;
 	for ( int32_t i = 0; i < work->legCount; ++i )
@@ -96,8 +95,8 @@ void soleFindSupport( solePlaceWork* work, const soleHit* hits, int32_t hitCount
 		{
 			continue;
 		}
-		int32_t first = soleMinI( i * perLeg, hitCount );
-		soleReadSamples( work, leg, hits + first, soleMinI( perLeg, hitCount - first ), minimumUp );
+		int32_t first = hits->starts[i];
+		soleReadSamples( work, leg, hits->hits + first, hits->starts[i + 1] - first, minimumUp );
 		if ( soleIsOnItsWay( leg ) )
 		{
 			leg->surface = SOLE_NONE;
