@@ -47,8 +47,7 @@ static void soleScrubQuat( soleQuat* q )
 	*q = soleQuat_IsFinite( *q ) ? *q : soleQuat_Identity();
 }
 
-/// Nothing that is not finite leaves, whatever came in.
-static void soleScrubOutput( const soleRig* rig, soleOutput* out )
+void soleScrubOutput( const soleRig* rig, soleOutput* out )
 {
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{

@@ -328,6 +328,8 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 /// The rest of a frame. Settings in their ranges, a frame that is usable.
 void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
     const soleLegHits* hits, soleOutput* output );
+/// Nothing that is not finite leaves, whatever came in.
+void soleScrubOutput( const soleRig* rig, soleOutput* output );
 /// The output of a frame that is not usable.
 void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* output );
 

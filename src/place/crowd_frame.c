@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// A crowd's frame: gathering and solving over a range of characters, each by the same stages as one alone.
+//
+// A character that waits is not solved. Its joints get, after the animation of the frame, the turns that they got after
+// the animation of the last frame that was solved, and its pelvis the same movement:
+//   d = conj( animated ) placed, then; placed = animated d, now
+// When it is solved again its frame is as long as it has waited.
+#include "base/core.h"
+#include "place/crowd_internal.h"
+
+#include <string.h>
+
+#define MOST_INTERVAL 16
+#define GOLDEN 2654435769u // 2^32 times the golden ratio's fraction: its multiples are spread evenly at any time
+
+/// A character's settings of this frame.
+static const soleSettings* soleSettingsOf( const soleCrowd* crowd, const soleCrowdRow* row, soleSettings* scratch )
+{
+	soleDetail detail = row->member.detail;
+	detail = detail == sole_detailFew || detail == sole_detailHeight ? detail : sole_detailFull;
+	if ( row->member.settings == NULL )
+	{
+		return crowd->settings + detail;
+	}
+	soleSettings changed;
+	*scratch = soleLowerDetail( soleCleanSettings( crowd->rig, row->member.settings, &changed ), detail );
+	return scratch;
+}
+
+// ----------------------------------------------------------------------------------------------------------- gather
+
+int32_t soleCrowd_GetMostProbes( const soleCrowd* crowd )
+{
+	SOLE_ASSERT( crowd != NULL );
+	return crowd != NULL ? crowd->rig->legCount * SOLE_MAX_PROBES_PER_LEG : 0;
+}
+
+/// Every interval-th frame; the first one, and one after a jump, always.
+static bool soleIsItsTurn( const soleCrowdRow* row, const soleFrame* frame )
+{
+	int32_t interval = row->member.interval;
+	interval = interval < 1 ? 1 : ( interval > MOST_INTERVAL ? MOST_INTERVAL : interval );
+	return row->frames == 0 || frame->teleport || ( row->frames + row->slot ) % (uint32_t)interval == 0;
+}
+
+/// The frame of a character that may have waited: as long as it has, and all that happened.
+static soleFrame soleFrameOf( const soleCrowdRow* row, const soleFrame* frame )
+{
+	soleFrame longer = *frame;
+	longer.timeStep =
+	    row->owed > 0.0f ? row->owed + soleMaxF( soleFiniteOr( frame->timeStep, 0.0f ), 0.0f ) : frame->timeStep;
+	longer.teleport = frame->teleport || row->jumped;
+	return longer;
+}
+
+/// @return how many probes were written, SOLE_NONE: there is no room for them
+static int32_t soleAskForOne(
+    const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleProbe* probes, int32_t capacity )
+{
+	const soleCrowdRow* row = soleRowOf( crowd, index );
+	soleFrame longer = soleFrameOf( row, frame );
+	if ( !soleIsFrameUsable( &longer ) )
+	{
+		return 0;
+	}
+	soleSettings scratch;
+	soleOutput out;
+	soleState copy;
+	memcpy( &copy, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
+	solePlaceWork work;
+	soleBeginFrame( &work, crowd->rig, soleSettingsOf( crowd, row, &scratch ), &copy, &longer, &out );
+	int32_t perLeg = soleProbesPerLeg( work.settings );
+	int32_t count = 0;
+	for ( int32_t i = 0; i < work.legCount * perLeg; ++i )
+	{
+		soleProbe probe;
+		if ( soleAskGround( &work, work.legs + i / perLeg, i % perLeg, &probe ) )
+		{
+			if ( count == capacity )
+			{
+				return SOLE_NONE;
+			}
+			probes[count++] = probe;
+		}
+	}
+	return count;
+}
+
+/// Who of the range is asked first in a frame.
+static int32_t soleFindTurn( uint32_t frame, int32_t count )
+{
+	return (int32_t)( ( (uint64_t)( frame * GOLDEN ) * (uint64_t)count ) >> 32 );
+}
+
+int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames,
+    soleProbe* probes, int32_t capacity, soleCrowdAsk* asks )
+{
+	bool given = count <= 0 ||
+	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL &&
+	        ( probes != NULL || capacity <= 0 ) );
+	SOLE_ASSERT( given );
+	int32_t written = 0;
+	int32_t turn = given && count > 0 ? soleFindTurn( soleRowOf( crowd, first )->frames, count ) : 0;
+	for ( int32_t i = 0; given && i < count; ++i )
+	{
+		int32_t k = turn + i < count ? turn + i : turn + i - count;
+		asks[k] = ( soleCrowdAsk ){ .first = written, .waits = true };
+		if ( soleIsItsTurn( soleRowOf( crowd, first + k ), frames + k ) )
+		{
+			int32_t asked = soleAskForOne( crowd, first + k, frames + k, probes + written, capacity - written );
+			asks[k].waits = asked == SOLE_NONE;
+			asks[k].count = asked == SOLE_NONE ? 0 : asked;
+			written += asks[k].count;
+		}
+	}
+	return written;
+}
+
+// ------------------------------------------------------------------------------------------------------------ wait
+
+static soleQuat soleTurnSince( soleQuat animated, soleQuat placed )
+{
+	return soleMulQuat( soleConjugate( soleNormalizeQuat( animated ) ), placed );
+}
+
+static soleQuat soleTurnOn( soleQuat animated, soleQuat turn )
+{
+	return soleNormalizeQuat( soleMulQuat( soleNormalizeQuat( animated ), turn ) );
+}
+
+/// Remembers what a solved frame has turned.
+static void soleKeepTurns( const soleCrowd* crowd, int32_t index, const soleFrame* frame )
+{
+	const soleRig* rig = crowd->rig;
+	const soleOutput* out = soleOutputOf( crowd, index );
+	soleCrowdRow* row = soleRowOf( crowd, index );
+	row->pelvisMoved = soleSub( out->pelvisTranslation_l, frame->pose[rig->pelvis].translation );
+	for ( int32_t i = 0; i < rig->legCount; ++i )
+	{
+		const soleLegDef* leg = &rig->legs[i].def;
+		const soleLegOutput* o = out->legs + i;
+		soleCrowdTurns* turns = soleTurnsOf( crowd, index ) + i;
+		for ( int32_t j = 0; j < leg->jointCount; ++j )
+		{
+			turns->joints[j] = soleTurnSince( frame->pose[leg->joints[j]].rotation, o->rotations_l[j] );
+		}
+		if ( leg->toeCount > 0 )
+		{
+			turns->toe = soleTurnSince( frame->pose[leg->toes[0]].rotation, o->toeRotation_l );
+		}
+		if ( leg->detachedFoot != SOLE_NONE )
+		{
+			soleTransform foot = frame->pose[leg->detachedFoot];
+			turns->foot = soleTurnSince( foot.rotation, o->footRotation_l );
+			turns->footMoved = soleSub( o->footTranslation_l, foot.translation );
+		}
+	}
+}
+
+/// The animation of this frame with what the last solved one has turned and moved.
+static void soleWait( soleCrowd* crowd, int32_t index, const soleFrame* frame )
+{
+	const soleRig* rig = crowd->rig;
+	soleOutput* out = soleOutputOf( crowd, index );
+	out->legCount = rig->legCount;
+	out->pelvisTranslation_l = soleAdd( frame->pose[rig->pelvis].translation, soleRowOf( crowd, index )->pelvisMoved );
+	for ( int32_t i = 0; i < rig->legCount; ++i )
+	{
+		const soleLegDef* leg = &rig->legs[i].def;
+		soleLegOutput* o = out->legs + i;
+		const soleCrowdTurns* turns = soleTurnsOf( crowd, index ) + i;
+		for ( int32_t j = 0; j < leg->jointCount; ++j )
+		{
+			o->rotations_l[j] = soleTurnOn( frame->pose[leg->joints[j]].rotation, turns->joints[j] );
+		}
+		if ( leg->toeCount > 0 )
+		{
+			o->toeRotation_l = soleTurnOn( frame->pose[leg->toes[0]].rotation, turns->toe );
+		}
+		if ( leg->detachedFoot != SOLE_NONE )
+		{
+			soleTransform foot = frame->pose[leg->detachedFoot];
+			o->footRotation_l = soleTurnOn( foot.rotation, turns->foot );
+			o->footTranslation_l = soleAdd( foot.translation, turns->footMoved );
+		}
+		o->stretch = o->stretch > 0.0f ? o->stretch : 1.0f;
+	}
+	soleScrubOutput( rig, out );
+}
+
+// ----------------------------------------------------------------------------------------------------------- solve
+
+static void soleSolveOne( soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleProbe* probes,
+    const soleHit* hits, int32_t hitCount )
+{
+	const soleRig* rig = crowd->rig;
+	soleLegHits byLeg = { .hits = hits };
+	for ( int32_t i = 0, k = 0; i <= rig->legCount; ++i )
+	{
+		while ( k < hitCount && probes[k].leg < i )
+		{
+			++k;
+		}
+		byLeg.starts[i] = k;
+	}
+	soleSettings scratch;
+	const soleSettings* settings = soleSettingsOf( crowd, soleRowOf( crowd, index ), &scratch );
+	soleSolveFrame( rig, settings, soleStateOf( crowd, index ), frame, &byLeg, soleOutputOf( crowd, index ) );
+}
+
+void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames, const soleProbe* probes,
+    const soleHit* hits, const soleCrowdAsk* asks )
+{
+	bool given = count <= 0 ||
+	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL );
+	SOLE_ASSERT( given );
+	for ( int32_t i = 0; given && i < count; ++i )
+	{
+		soleCrowdRow* row = soleRowOf( crowd, first + i );
+		soleFrame longer = soleFrameOf( row, frames + i );
+		const soleCrowdAsk* ask = asks + i;
+		row->frames += 1;
+		if ( !soleIsFrameUsable( &longer ) )
+		{
+			soleRefuseFrame( crowd->rig, frames + i, soleOutputOf( crowd, first + i ) );
+		}
+		else if ( ask->waits )
+		{
+			soleWait( crowd, first + i, frames + i );
+			row->owed = soleMaxF( soleFiniteOr( longer.timeStep, 0.0f ), 0.0f );
+			row->jumped = longer.teleport;
+		}
+		else
+		{
+			soleSolveOne( crowd, first + i, &longer, probes + ask->first, hits + ask->first, ask->count );
+			soleKeepTurns( crowd, first + i, frames + i );
+			row->owed = 0.0f;
+			row->jumped = false;
+		}
+	}
+}
