@@ -29,8 +29,7 @@
 // the end is approached softly, as the leg's own is, and what is left then is the leg's.
 #include "place/place.h"
 
-#define EASE 0.15f            // of the cosine of the heel lift
-#define NEARLY_STRAIGHT 0.05f // sine of the flexion below which the rig's hinge is leaned on
+#define EASE 0.15f // of the cosine of the heel lift
 
 // ------------------------------------------------------------------------------------------------------- two bones
 
@@ -42,9 +41,9 @@ static soleVec3 soleFindBendAxis( soleVec3 k, soleVec3 s, float a, float b, sole
 	soleVec3 n = soleScale( 1.0f / ( a * b ), soleCross( k, s ) );
 	float f = soleLength( n );
 	soleVec3 axis = soleDot( n, reference ) < 0.0f ? soleNeg( n ) : n;
-	if ( f < NEARLY_STRAIGHT )
+	if ( f < SOLE_NEARLY_STRAIGHT )
 	{
-		axis = soleMulAdd( axis, NEARLY_STRAIGHT - f, reference );
+		axis = soleMulAdd( axis, SOLE_NEARLY_STRAIGHT - f, reference );
 	}
 	return soleNormalizeOr( soleReject( axis, u0 ), reference );
 }
@@ -67,7 +66,7 @@ static void soleBend( float a, float b, float length, soleHalf* flexion, soleHal
 static float soleSoften( float length, float soft, float hard )
 {
 	float zone = hard - soft;
-	if ( length <= soft )
+	if ( !( length > soft ) )
 	{
 		return length;
 	}
@@ -104,15 +103,16 @@ soleTwoBoneResult soleSolveTwoBone( const soleTwoBoneDef* def )
 	float fold = soleClampF( def->fold, 0.0f, 1.0f ) * bones;
 	result.flags |= length1 > soft ? (uint32_t)sole_legSoftened : 0u;
 	result.flags |= length1 > hard ? (uint32_t)sole_legOutOfReach : 0u;
-	result.flags |= length1 < fold ? (uint32_t)sole_legFolded : 0u;
 
 	soleVec3 n = soleFindBendAxis( k, s, a, b, u0, def->hinge );
 	soleVec3 kp = soleReject( k, n );
 	soleVec3 sp = soleReject( s, n );
 	float ap = soleLength( kp ), bp = soleLength( sp );
 	float difference = ap > bp ? ap - bp : bp - ap;
+	float least = difference * ( 1.0f + 1e-4f ) + 1e-6f * bones;
 	float length = soleMaxF( soleSoften( length1, soft, hard ), fold );
-	length = soleClampF( length, difference * ( 1.0f + 1e-4f ) + 1e-6f * bones, ap + bp );
+	length = soleClampF( length, least, ap + bp );
+	result.flags |= length1 < fold || length1 < least ? (uint32_t)sole_legFolded : 0u;
 
 	soleHalf flexion0 = soleMakeHalf( soleDot( kp, sp ), soleDot( n, soleCross( kp, sp ) ) );
 	soleHalf thigh0 = soleMakeHalf( soleDot( kp, u0 ), soleDot( n, soleCross( u0, kp ) ) );

@@ -284,6 +284,9 @@ static inline float soleLongestRigLeg( const solePlaceWork* work )
 	return longest * work->rootScale;
 }
 
+/// Sine of the flexion below which the rig's hinge is leaned on.
+#define SOLE_NEARLY_STRAIGHT 0.05f
+
 /// How long a leg may be: nothing is softened up to soft, nothing is longer than hard. An animation that stretches
 /// further keeps its own length.
 typedef struct soleReach

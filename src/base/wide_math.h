@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Vectors, quaternions and half angles of many lanes at once: each lane what sole/math.h and math_internal.h give for
+// one, to the bit. Included after base/simd.h, once for each width; where those branch, lanes choose.
+#undef soleLanes3
+#undef soleLanes4
+#undef soleLanesHalf
+#define soleLanes3 SOLE_WIDE_NAME( soleLanes3_ )
+#define soleLanes4 SOLE_WIDE_NAME( soleLanes4_ )
+#define soleLanesHalf SOLE_WIDE_NAME( soleLanesHalf_ )
+#undef FN
+#undef SOLE_ALL_LANES
+#define FN( name ) SOLE_WIDE_NAME( name )
+#define SOLE_ALL_LANES ( UINT32_MAX >> ( 32 - SOLE_WIDTH ) )
+
+typedef struct soleLanes3
+{
+	soleWide x, y, z;
+} soleLanes3;
+
+typedef struct soleLanes4
+{
+	soleWide x, y, z, w;
+} soleLanes4;
+
+typedef struct soleLanesHalf
+{
+	soleWide c, s;
+} soleLanesHalf;
+
+// Short names of the operations for the formulas below and those of kernels.
+#undef ADD
+#undef SUB
+#undef MUL
+#undef DIV
+#undef NUM
+#undef LESS
+#undef PICK
+#define ADD( a, b ) soleWide_Add( a, b )
+#define SUB( a, b ) soleWide_Sub( a, b )
+#define MUL( a, b ) soleWide_Mul( a, b )
+#define DIV( a, b ) soleWide_Div( a, b )
+#define NUM( a ) soleWide_Set( a )
+#define LESS( a, b ) soleWide_Less( a, b )
+#define PICK( mask, a, b ) soleWide_Select( mask, a, b )
+
+static inline soleWide FN( soleNegWide )( soleWide a )
+{
+	return MUL( NUM( -1.0f ), a );
+}
+
+/// x < low ? low : ( x > high ? high : x )
+static inline soleWide FN( soleClampWide )( soleWide x, soleWide low, soleWide high )
+{
+	return PICK( LESS( x, low ), low, PICK( LESS( high, x ), high, x ) );
+}
+
+/// sqrt( x > 0 ? x : 0 )
+static inline soleWide FN( soleSafeSqrt )( soleWide x )
+{
+	return soleWide_Sqrt( PICK( LESS( NUM( 0.0f ), x ), x, NUM( 0.0f ) ) );
+}
+
+// ----------------------------------------------------------------------------------------------------------- vectors
+
+static inline soleLanes3 FN( soleAdd3 )( soleLanes3 a, soleLanes3 b )
+{
+	return ( soleLanes3 ){ ADD( a.x, b.x ), ADD( a.y, b.y ), ADD( a.z, b.z ) };
+}
+
+static inline soleLanes3 FN( soleSub3 )( soleLanes3 a, soleLanes3 b )
+{
+	return ( soleLanes3 ){ SUB( a.x, b.x ), SUB( a.y, b.y ), SUB( a.z, b.z ) };
+}
+
+static inline soleLanes3 FN( soleScale3 )( soleWide s, soleLanes3 v )
+{
+	return ( soleLanes3 ){ MUL( s, v.x ), MUL( s, v.y ), MUL( s, v.z ) };
+}
+
+static inline soleLanes3 FN( soleMulAdd3 )( soleLanes3 a, soleWide s, soleLanes3 b )
+{
+	return ( soleLanes3 ){ ADD( a.x, MUL( s, b.x ) ), ADD( a.y, MUL( s, b.y ) ), ADD( a.z, MUL( s, b.z ) ) };
+}
+
+static inline soleWide FN( soleDot3 )( soleLanes3 a, soleLanes3 b )
+{
+	return ADD( ADD( MUL( a.x, b.x ), MUL( a.y, b.y ) ), MUL( a.z, b.z ) );
+}
+
+static inline soleLanes3 FN( soleCross3 )( soleLanes3 a, soleLanes3 b )
+{
+	return ( soleLanes3 ){ SUB( MUL( a.y, b.z ), MUL( a.z, b.y ) ), SUB( MUL( a.z, b.x ), MUL( a.x, b.z ) ),
+		SUB( MUL( a.x, b.y ), MUL( a.y, b.x ) ) };
+}
+
+static inline soleLanes3 FN( solePick3 )( soleWideMask mask, soleLanes3 a, soleLanes3 b )
+{
+	return ( soleLanes3 ){ PICK( mask, a.x, b.x ), PICK( mask, a.y, b.y ), PICK( mask, a.z, b.z ) };
+}
+
+static inline soleWide FN( soleLength3 )( soleLanes3 v )
+{
+	return soleWide_Sqrt( FN( soleDot3 )( v, v ) );
+}
+
+/// squared >= 1e-12 and squared <= 3e38
+static inline soleWideMask FN( soleIsUsable )( soleWide squared )
+{
+	// Below a number that is as near to 1e-12 as none is in between: "at least" by "less than".
+	soleWideMask large = soleWide_Less( NUM( SOLE_BELOW_LEAST ), squared );
+	return soleWide_And( large, soleWide_Less( squared, NUM( SOLE_ABOVE_MOST ) ) );
+}
+
+static inline soleLanes3 FN( soleNormalize3 )( soleLanes3 v, soleLanes3 fallback )
+{
+	soleWide squared = FN( soleDot3 )( v, v );
+	soleLanes3 unit = FN( soleScale3 )( DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) ), v );
+	return FN( solePick3 )( FN( soleIsUsable )( squared ), unit, fallback );
+}
+
+/// @return false: some lanes are not usable, and left as they are
+static inline bool FN( soleTryNormalize3 )( soleLanes3* v )
+{
+	soleWide squared = FN( soleDot3 )( *v, *v );
+	soleWideMask usable = FN( soleIsUsable )( squared );
+	soleLanes3 unit = FN( soleScale3 )( DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) ), *v );
+	*v = FN( solePick3 )( usable, unit, *v );
+	return soleWide_GetBits( usable ) == SOLE_ALL_LANES;
+}
+
+static inline soleLanes3 FN( soleReject3 )( soleLanes3 v, soleLanes3 n )
+{
+	return FN( soleMulAdd3 )( v, FN( soleNegWide )( FN( soleDot3 )( v, n ) ), n );
+}
+
+static inline soleLanes3 FN( soleAnyOrthogonal3 )( soleLanes3 n )
+{
+	soleWideMask flat = LESS( MUL( n.x, n.x ), NUM( 0.5f ) );
+	soleWide zero = NUM( 0.0f ), one = NUM( 1.0f );
+	soleLanes3 axis = { PICK( flat, one, zero ), PICK( flat, zero, one ), zero };
+	return FN( soleNormalize3 )( FN( soleReject3 )( axis, n ), ( soleLanes3 ){ zero, zero, one } );
+}
+
+// ------------------------------------------------------------------------------------------------------- quaternions
+
+static inline soleLanes4 FN( solePick4 )( soleWideMask mask, soleLanes4 a, soleLanes4 b )
+{
+	return (
+	    soleLanes4 ){ PICK( mask, a.x, b.x ), PICK( mask, a.y, b.y ), PICK( mask, a.z, b.z ), PICK( mask, a.w, b.w ) };
+}
+
+static inline soleLanes4 FN( soleIdentity4 )( void )
+{
+	return ( soleLanes4 ){ NUM( 0.0f ), NUM( 0.0f ), NUM( 0.0f ), NUM( 1.0f ) };
+}
+
+static inline soleLanes4 FN( soleConjugate4 )( soleLanes4 q )
+{
+	return ( soleLanes4 ){ FN( soleNegWide )( q.x ), FN( soleNegWide )( q.y ), FN( soleNegWide )( q.z ), q.w };
+}
+
+static inline soleLanes4 FN( soleMul4 )( soleLanes4 a, soleLanes4 b )
+{
+	return ( soleLanes4 ){
+		ADD( ADD( MUL( a.w, b.x ), MUL( a.x, b.w ) ), SUB( MUL( a.y, b.z ), MUL( a.z, b.y ) ) ),
+		ADD( ADD( MUL( a.w, b.y ), MUL( a.y, b.w ) ), SUB( MUL( a.z, b.x ), MUL( a.x, b.z ) ) ),
+		ADD( ADD( MUL( a.w, b.z ), MUL( a.z, b.w ) ), SUB( MUL( a.x, b.y ), MUL( a.y, b.x ) ) ),
+		SUB( SUB( MUL( a.w, b.w ), MUL( a.x, b.x ) ), ADD( MUL( a.y, b.y ), MUL( a.z, b.z ) ) ),
+	};
+}
+
+static inline soleLanes4 FN( soleNormalize4 )( soleLanes4 q )
+{
+	soleWide squared = ADD( ADD( MUL( q.x, q.x ), MUL( q.y, q.y ) ), ADD( MUL( q.z, q.z ), MUL( q.w, q.w ) ) );
+	soleWide s = DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) );
+	soleLanes4 unit = { MUL( s, q.x ), MUL( s, q.y ), MUL( s, q.z ), MUL( s, q.w ) };
+	return FN( solePick4 )( FN( soleIsUsable )( squared ), unit, FN( soleIdentity4 )() );
+}
+
+static inline soleLanes3 FN( soleRotate3 )( soleLanes4 q, soleLanes3 v )
+{
+	soleLanes3 u = { q.x, q.y, q.z };
+	soleLanes3 t = FN( soleScale3 )( NUM( 2.0f ), FN( soleCross3 )( u, v ) );
+	return FN( soleAdd3 )( FN( soleMulAdd3 )( v, q.w, t ), FN( soleCross3 )( u, t ) );
+}
+
+static inline soleLanes4 FN( soleFromTo4 )( soleLanes3 from, soleLanes3 to, soleLanes3 halfTurnAxis )
+{
+	soleLanes3 sum = FN( soleAdd3 )( from, to );
+	soleWide w = MUL( NUM( 0.5f ), FN( soleDot3 )( sum, sum ) );
+	soleLanes3 c = FN( soleCross3 )( from, to );
+	soleLanes4 turn = FN( soleNormalize4 )( ( soleLanes4 ){ c.x, c.y, c.z, w } );
+	soleWideMask opposite = LESS( w, NUM( 1e-6f ) );
+	if ( soleWide_GetBits( opposite ) == 0 )
+	{
+		return turn;
+	}
+	soleLanes3 any = FN( soleAnyOrthogonal3 )( from );
+	soleLanes3 n = FN( soleNormalize3 )( FN( soleReject3 )( halfTurnAxis, from ), any );
+	return FN( solePick4 )( opposite, ( soleLanes4 ){ n.x, n.y, n.z, NUM( 0.0f ) }, turn );
+}
+
+// -------------------------------------------------------------------------------------------------------- half angles
+
+static inline soleLanesHalf FN( soleMakeWideHalf )( soleWide cosine, soleWide sine )
+{
+	soleWide zero = NUM( 0.0f ), one = NUM( 1.0f );
+	soleWide length = FN( soleSafeSqrt )( ADD( MUL( cosine, cosine ), MUL( sine, sine ) ) );
+	soleWide c = ADD( one, DIV( cosine, length ) );
+	soleWide s = DIV( sine, length );
+	soleWide scale = DIV( one, soleWide_Sqrt( ADD( MUL( c, c ), MUL( s, s ) ) ) );
+	soleWideMask back = LESS( c, NUM( 1e-6f ) );
+	soleWide side = PICK( LESS( s, zero ), NUM( -1.0f ), one );
+	soleLanesHalf half = { PICK( back, zero, MUL( scale, c ) ), PICK( back, side, MUL( scale, s ) ) };
+	// length >= 1e-20
+	soleWideMask usable = LESS( NUM( SOLE_BELOW_LENGTH ), length );
+	return ( soleLanesHalf ){ PICK( usable, half.c, one ), PICK( usable, half.s, zero ) };
+}
+
+static inline soleLanesHalf FN( soleSubWideHalf )( soleLanesHalf a, soleLanesHalf b )
+{
+	return ( soleLanesHalf ){ ADD( MUL( a.c, b.c ), MUL( a.s, b.s ) ), SUB( MUL( a.s, b.c ), MUL( a.c, b.s ) ) };
+}
+
+static inline soleLanes4 FN( soleWideHalfRotation )( soleLanes3 axis, soleLanesHalf half )
+{
+	return ( soleLanes4 ){ MUL( half.s, axis.x ), MUL( half.s, axis.y ), MUL( half.s, axis.z ), half.c };
+}
+
+/// Halvings bring what is below 20 to 0.5 or less.
+#define SOLE_WIDE_HALVINGS 6
+
+static inline soleWide FN( soleExpNegativeWide )( soleWide x )
+{
+	soleWide half = NUM( 0.5f ), one = NUM( 1.0f );
+	soleWide y = x;
+	soleWideMask halved[SOLE_WIDE_HALVINGS];
+	for ( int i = 0; i < SOLE_WIDE_HALVINGS; ++i )
+	{
+		halved[i] = LESS( half, y );
+		y = PICK( halved[i], MUL( half, y ), y );
+	}
+	soleWide z = MUL( y, y );
+	soleWide even = ADD( one, MUL( z, NUM( 0.1f ) ) );
+	soleWide odd = MUL( y, ADD( half, MUL( z, NUM( 1.0f / 120.0f ) ) ) );
+	soleWide r = DIV( SUB( even, odd ), ADD( even, odd ) );
+	for ( int i = 0; i < SOLE_WIDE_HALVINGS; ++i )
+	{
+		r = PICK( halved[i], MUL( r, r ), r );
+	}
+	r = PICK( LESS( x, NUM( 20.0f ) ), r, NUM( 0.0f ) );
+	return PICK( LESS( NUM( 0.0f ), x ), r, one );
+}
