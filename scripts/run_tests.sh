@@ -30,10 +30,16 @@ runOne()
 export -f runOne
 export logs
 
+# These play every scene, for minutes where nothing is optimised; that bits do not differ there test_demo sees.
+slow=' test_gates test_complaints '
+
 # Programs without a source any more are left over from an earlier build.
 programs=()
 for source in test/test_*.c samples/*.c; do
 	program=$build/${source%.c}
+	if [[ $preset == *debug && $slow == *" $( basename "$program" ) "* ]]; then
+		continue
+	fi
 	if [ -x "$program" ]; then
 		programs+=( "$program" )
 	fi
