@@ -121,7 +121,8 @@ writePage()
 
 		Straight down, from a metre over the ground to a metre below, over rolling ground of so many triangles of a
 		quarter of a metre; answers with point and normal. "In order" are the same questions sorted along a Z curve.
-		\`five-rays\` are five under one foot, asked at once where there is a call for that. Spheres have a radius of
+		\`five-rays\` are five under one foot, asked at once where there is a call for that; \`sole-batch\` are 40 at once by
+		\`soleCastProbes()\`. Spheres have a radius of
 		0.1 m. \`ray-field\` is a height field of as many triangles. Peers are there where Debian has them: Embree
 		(robust, one ray, or five of a packet of eight), ODE and Bullet (without their broad phases).
 
@@ -153,7 +154,7 @@ writePage()
 	TEXT
 }
 
-plot docs/performance-triangles.svg triangles 'ns a question' ray-scattered:sole ray-scattered:embree ray-scattered:ode \
+plot docs/performance-triangles.svg triangles 'ns a question' ray-scattered:sole ray-scattered:sole-batch ray-scattered:embree ray-scattered:ode \
 	ray-scattered:bullet five-rays:sole five-rays:embree sphere-scattered:sole sphere-scattered:bullet ray-field:sole
 plot docs/performance-characters.svg characters 'ns a character' crowd:sole-calls
 # Here documents keep the indentation of what is put into them: tables stand at the margin.

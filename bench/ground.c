@@ -12,6 +12,7 @@
 
 static const benchPeer* const benchPeers[] = {
 	&benchSole,
+	&benchSoleBatch,
 #if BENCH_EMBREE
 	&benchEmbree,
 #endif
@@ -171,7 +172,7 @@ static void benchAddAsking( benchList* list, const char* stem, benchAsking askin
 	for ( int32_t i = 0; i < benchPeerCount; ++i )
 	{
 		asking.peer = benchPeers[i];
-		if ( asking.peer->casts[asking.asked] == false || ( asking.field && i > 0 ) )
+		if ( asking.peer->casts[asking.asked] == false || ( asking.field && asking.peer != &benchSole ) )
 		{
 			continue;
 		}
@@ -181,7 +182,7 @@ static void benchAddAsking( benchList* list, const char* stem, benchAsking askin
 		        .variant = asking.peer->name,
 		        .unit = unit,
 		        .itemCount = QUERY_COUNT,
-		        .counted = i == 0 && asking.scene == NULL && asking.size == COUNTED_SIZE,
+		        .counted = asking.peer == &benchSole && asking.scene == NULL && asking.size == COUNTED_SIZE,
 		        .open = benchOpenGround,
 		        .argument = benchKeep( asking ),
 		        .run = benchRunGround,
@@ -194,6 +195,10 @@ static void benchAddBuild( benchList* list, int64_t size )
 {
 	for ( int32_t i = 0; i < benchPeerCount; ++i )
 	{
+		if ( benchPeers[i] == &benchSoleBatch )
+		{
+			continue;
+		}
 		benchAdd( list,
 		    ( benchCase ){
 		        .name = benchName( "build", size ),

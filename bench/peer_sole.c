@@ -4,6 +4,8 @@
 
 #include "sole/ground.h"
 
+#define MOST_AT_ONCE 40 // probes, as of a few characters; the questions are a multiple of it
+
 static void* soleMakePeer( const benchMesh* mesh )
 {
 	soleGroundMesh groundMesh = soleDefaultGroundMesh();
@@ -50,23 +52,36 @@ static void soleCastPeer( void* made, const benchQuery* queries, int32_t count, 
 	}
 }
 
-static void soleCastPeerFives( void* made, const benchQuery* queries, int32_t count, float* heights )
+/// By the call for many, so many at a time.
+static void soleCastPeerMany( void* made, const benchQuery* queries, int32_t count, int32_t atOnce, float* heights )
 {
-	for ( int32_t i = 0; i + 5 <= count; i += 5 )
+	soleProbe probes[MOST_AT_ONCE];
+	soleHit hits[MOST_AT_ONCE];
+	for ( int32_t i = 0; i + atOnce <= count; i += atOnce )
 	{
-		soleProbe probes[5];
-		soleHit hits[5];
-		for ( int32_t k = 0; k < 5; ++k )
+		for ( int32_t k = 0; k < atOnce; ++k )
 		{
 			probes[k] = soleMakePeerProbe( queries + i + k );
 		}
-		soleCastProbes( made, probes, 5, hits );
-		for ( int32_t k = 0; k < 5; ++k )
+		soleCastProbes( made, probes, atOnce, hits );
+		for ( int32_t k = 0; k < atOnce; ++k )
 		{
 			heights[i + k] = soleReadPeerHit( hits + k );
 		}
 	}
 }
 
+static void soleCastPeerFives( void* made, const benchQuery* queries, int32_t count, float* heights )
+{
+	soleCastPeerMany( made, queries, count, 5, heights );
+}
+
+static void soleCastPeerBatches( void* made, const benchQuery* queries, int32_t count, float* heights )
+{
+	soleCastPeerMany( made, queries, count, MOST_AT_ONCE, heights );
+}
+
 const benchPeer benchSole = { "sole", { true, true, true }, soleMakePeer, soleDestroyPeer, soleCastPeer, soleCastPeer,
 	soleCastPeerFives };
+const benchPeer benchSoleBatch = { "sole-batch", { true, true, false }, soleMakePeer, soleDestroyPeer,
+	soleCastPeerBatches, soleCastPeerBatches, NULL };

@@ -41,6 +41,7 @@ extern "C"
 	} benchPeer;
 
 	extern const benchPeer benchSole;
+	extern const benchPeer benchSoleBatch; // the same ground, many asked at once
 #if BENCH_EMBREE
 	extern const benchPeer benchEmbree;
 #endif

@@ -251,6 +251,27 @@ static void groundsOfAFewTriangles( void** state )
 	queryCount = kept;
 }
 
+static void numbersThatOverflowFindNothingThatIsNotThere( void** state )
+{
+	(void)state;
+	testMesh mesh = testMakeTerrain( 3, 6, 0.5f, 0.4f );
+	soleGround* ground = testMakeMeshGround( &mesh, true );
+	static const float huge[] = { 3e38f, -3e38f, 1e20f, 0.0f };
+	for ( int32_t i = 0; i < 4 * 4 * 4 * 4; ++i )
+	{
+		soleVec3 start = { huge[i % 4], huge[i / 4 % 4], 1.0f };
+		soleVec3 direction = i % 2 == 0 ? soleVec( 0.0f, -1.0f, 0.0f ) : soleVec( 0.3f, -0.9f, -0.3f );
+		soleProbe probe = testProbe( start, direction, fabsf( huge[i / 16 % 4] ) + 1.0f, fabsf( huge[i / 64] ) );
+		soleHit one = soleCastProbe( ground, &probe );
+		soleHit many;
+		soleCastProbes( ground, &probe, 1, &many );
+		assertSameHit( &one, &many, &probe );
+		assert_true( one.hit == false || soleVec3_IsFinite( one.point_w ) );
+	}
+	soleDestroyGround( ground );
+	testFreeMesh( &mesh );
+}
+
 int main( int argc, char** argv )
 {
 	queryCount = argc > 1 ? (int32_t)strtol( argv[1], NULL, 10 ) : queryCount;
@@ -261,6 +282,7 @@ int main( int argc, char** argv )
 		cmocka_unit_test( storeysAndWallsAndOneGreatFloor ),
 		cmocka_unit_test( needlesFansAndCopies ),
 		cmocka_unit_test( groundsOfAFewTriangles ),
+		cmocka_unit_test( numbersThatOverflowFindNothingThatIsNotThere ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );
 }

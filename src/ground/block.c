@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Sifting the four triangles of a block in float, all at once, in the space of the query: which of them a probe may
+// Sifting the four triangles of a block in float, all at once, in the space of the query: which of them a sphere may
 // meet. Whether it does is decided elsewhere, one by one and in double. So nothing here may leave out what would be
 // met, and how much is let pass shows in no answer.
 //
-// Rays: the edge functions of ray.c, in the same order, to the same bit. A triangle with both signs is not met.
-//
-// Spheres: seen along the way, the triangle and a disc about the way's start. Points at the shear's distance w from the
+// Seen along the way, the triangle and a disc about the way's start. Points at the shear's distance w from the
 // way are off it by at least w |d_z| / |d|, so the disc has the radius R = r |d| / |d_z|. Outside an edge of length e
 // by more than that, if its edge function s, twice an area, is beyond R e:
 //   s < -( R e + error ),  error = 1e-5 Q,  Q the sum of the squares of all corners' coordinates seen from the start
@@ -15,68 +13,7 @@
 //   H > r |n| + error  and  H + T ( d . n ) > r |n| + error,  error = 1e-6 ( |c| + T |d| + r ) ( u u + v v )
 // What stays and starts off the plane is not met before t = ( H - r |n| - error ) / -( d . n ).
 // Sums and squares of numbers that overflow are infinite or no numbers, and let pass: all tests are of the form "less".
-#define SOLE_WIDTH 4
-
-#include "base/simd.h"
-#include "ground/ground_internal.h"
-
-/// Corners seen from the start, along the query's axes: x and y sheared, z along the way.
-typedef struct soleSeenBlock
-{
-	soleWide x[3];
-	soleWide y[3];
-	soleWide z[3];
-} soleSeenBlock;
-
-static inline void soleSeeBlock( const soleGroundQuery* query, const soleGroundBlock* block, soleSeenBlock* seen )
-{
-	soleWide startX = soleWide_Set( query->start[query->axes[0]] );
-	soleWide startY = soleWide_Set( query->start[query->axes[1]] );
-	soleWide startZ = soleWide_Set( query->start[query->axes[2]] );
-	soleWide shearX = soleWide_Set( query->shear[0] );
-	soleWide shearY = soleWide_Set( query->shear[1] );
-	for ( int i = 0; i < 3 && query->aligned; ++i )
-	{
-		const float( *corner )[SOLE_GROUND_BLOCK_SIZE] = block->corners[i];
-		seen->z[i] = soleWide_Sub( soleWide_Load( corner[query->axes[2]] ), startZ );
-		seen->x[i] = soleWide_Sub( soleWide_Load( corner[query->axes[0]] ), startX );
-		seen->y[i] = soleWide_Sub( soleWide_Load( corner[query->axes[1]] ), startY );
-	}
-	for ( int i = 0; i < 3 && query->aligned == false; ++i )
-	{
-		const float( *corner )[SOLE_GROUND_BLOCK_SIZE] = block->corners[i];
-		soleWide z = soleWide_Sub( soleWide_Load( corner[query->axes[2]] ), startZ );
-		soleWide x = soleWide_Sub( soleWide_Load( corner[query->axes[0]] ), startX );
-		soleWide y = soleWide_Sub( soleWide_Load( corner[query->axes[1]] ), startY );
-		seen->x[i] = soleWide_Sub( x, soleWide_Mul( shearX, z ) );
-		seen->y[i] = soleWide_Sub( y, soleWide_Mul( shearY, z ) );
-		seen->z[i] = z;
-	}
-}
-
-static inline soleWide soleEdgeFunction( const soleSeenBlock* seen, int from, int to )
-{
-	return soleWide_Sub( soleWide_Mul( seen->x[to], seen->y[from] ), soleWide_Mul( seen->y[to], seen->x[from] ) );
-}
-
-static uint32_t soleSiftForRay( const soleGroundQuery* query, const soleGroundBlock* block, bool twoSided )
-{
-	soleSeenBlock seen;
-	soleSeeBlock( query, block, &seen );
-	soleWide u = soleEdgeFunction( &seen, 1, 2 );
-	soleWide v = soleEdgeFunction( &seen, 2, 0 );
-	soleWide w = soleEdgeFunction( &seen, 0, 1 );
-	soleWide zero = soleWide_Set( 0.0f );
-	soleWideMask refused =
-	    soleWide_Or( soleWide_Or( soleWide_Less( u, zero ), soleWide_Less( v, zero ) ), soleWide_Less( w, zero ) );
-	if ( twoSided )
-	{
-		refused = soleWide_And( refused,
-		    soleWide_Or(
-		        soleWide_Or( soleWide_Less( zero, u ), soleWide_Less( zero, v ) ), soleWide_Less( zero, w ) ) );
-	}
-	return ~soleWide_GetBits( refused ) & 15u;
-}
+#include "ground/block.h"
 
 static inline soleWide soleSquare( soleWide a )
 {
@@ -176,13 +113,9 @@ static soleWideMask soleFindBeyond( const soleGroundQuery* query, const soleGrou
 	return twoSided ? beyond : soleWide_Or( beyond, behind );
 }
 
-uint32_t soleSiftBlock( const soleGroundQuery* query, const soleGroundBlock* block, bool twoSided, float travel,
+uint32_t soleSiftForSphere( const soleGroundQuery* query, const soleGroundBlock* block, bool twoSided, float travel,
     float bounds[SOLE_GROUND_BLOCK_SIZE] )
 {
-	if ( !( query->radius > 0.0f ) )
-	{
-		return soleSiftForRay( query, block, twoSided );
-	}
 	const float* d = query->direction;
 	float pathSize = sqrtf( ( d[0] * d[0] + d[1] * d[1] ) + d[2] * d[2] ) * 1.00001f;
 	soleWideMask refused = soleWide_Or( soleFindAside( query, block, pathSize ),

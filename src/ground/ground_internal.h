@@ -197,14 +197,6 @@ void soleGroundField_GetBounds( const soleGroundField* field, soleVec3* lower, s
 void soleCastHeightField(
     const soleGroundField* field, const soleGroundQuery* query, int64_t firstIndex, soleGroundTouch* best );
 
-// block.c
-
-/// Which triangles of a block a probe may meet before a travel, as bits. What is left out is certainly not met; what
-/// stays is for soleMeetTriangle() to decide.
-/// @param bounds of those that stay: spheres certainly do not meet them before. Rays leave it as it is.
-uint32_t soleSiftBlock( const soleGroundQuery* query, const soleGroundBlock* block, bool twoSided, float travel,
-    float bounds[SOLE_GROUND_BLOCK_SIZE] );
-
 // columns.c
 
 /// Makes the columns along an axis where they are of use. @return false when out of memory: the ground may still be

@@ -5,7 +5,7 @@
 // of a cell are asked as any others. Rows are taken in the order in which they are reached, so that the first row that
 // begins beyond the nearest touch ends the search. Cells are taken with a margin (the sphere's radius and what rounding
 // may shift), hence a vertical ray asks one cell, or the two or four that meet under it: borders have no gaps.
-#include "ground/ground_internal.h"
+#include "ground/block.h"
 
 /// The probe's way in double, for clipping, and the reach around it.
 typedef struct soleFieldWalk

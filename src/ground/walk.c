@@ -36,9 +36,9 @@ static inline void soleSweepBox( const soleGroundQuery* query, float limit, sole
 static inline void soleFillBoxQuery(
     const soleGround* ground, const soleGroundQuery* query, float limit, soleBoxQuery* box )
 {
-	float furthest = soleMaxF( ground->extent, fabsf( query->start[0] ) );
-	furthest = soleMaxF( furthest, soleMaxF( fabsf( query->start[1] ), fabsf( query->start[2] ) ) );
-	box->reach = query->radius + 2e-6f * furthest + 1e-20f;
+	float away =
+	    ( fabsf( query->start[0] ) + fabsf( query->start[1] ) ) + ( fabsf( query->start[2] ) + ground->extent );
+	box->reach = query->radius + ( 2e-6f * away + 1e-20f );
 	for ( int k = 0; k < 3; ++k )
 	{
 		box->startLow[k] = query->start[k] + box->reach;
@@ -131,6 +131,10 @@ static inline int solePushChildren(
 	for ( ; bits != 0; bits &= bits - 1 )
 	{
 		uint32_t child = soleGetLowestBit( bits );
+		if ( node->children[child] == SOLE_GROUND_NONE )
+		{
+			continue; // a free place: numbers that overflow compare with nothing
+		}
 		int place = stackCount;
 		while ( place > bottom && stack[place - 1].enter < enters[child] )
 		{
@@ -176,7 +180,7 @@ static inline uint32_t soleDescend( const soleWalk* walk, uint32_t child, soleSt
 // ------------------------------------------------------------------------------------------------------- triangles
 
 /// @return whether it is the best so far
-static bool soleCastTriangle(
+static inline bool soleCastTriangle(
     const soleGround* ground, const soleGroundQuery* query, uint32_t place, soleGroundTouch* best )
 {
 	const soleGroundBlock* block = ground->blocks + place / SOLE_GROUND_BLOCK_SIZE;
@@ -186,7 +190,8 @@ static bool soleCastTriangle(
 	{
 		return false;
 	}
-	const soleGroundPart* part = ground->parts + soleGround_FindPart( ground, index );
+	const soleGroundPart* part =
+	    ground->partCount == 1 ? ground->parts : ground->parts + soleGround_FindPart( ground, index );
 	uint32_t layer = ground->layers != NULL ? ground->layers[place] : part->layer;
 	soleGroundTouch touch;
 	if ( ( layer & query->mask ) == 0 || !soleMeetTriangle( query, block, lane, part->twoSided, &touch ) )
@@ -291,7 +296,7 @@ static inline void soleGatherNode( soleWalk* walk, uint32_t number )
 	for ( uint32_t bits = soleFindOverlaps( node, &walk->box ); bits != 0; bits &= bits - 1 )
 	{
 		uint32_t child = node->children[soleGetLowestBit( bits )];
-		if ( ( child & 1u ) == 0 )
+		if ( ( child & 1u ) == 0 || child == SOLE_GROUND_NONE )
 		{
 			continue;
 		}

@@ -4,10 +4,7 @@
 #ifndef SOLE_GROUND_WALK_H
 #define SOLE_GROUND_WALK_H
 
-#define SOLE_WIDTH 4
-
-#include "base/simd.h"
-#include "ground/ground_internal.h"
+#include "ground/block.h"
 
 #define SOLE_WALK_MOST_BLOCKS 12
 #define SOLE_WALK_MOST_WAITING 16
