@@ -121,10 +121,10 @@ writePage()
 
 		Straight down, from a metre over the ground to a metre below, over rolling ground of so many triangles of a
 		quarter of a metre; answers with point and normal. "In order" are the same questions sorted along a Z curve.
-		\`five-rays\` are five under one foot, asked at once where there is a call for that; \`sole-batch\` are 40 at once by
-		\`soleCastProbes()\`. Spheres have a radius of
-		0.1 m. \`ray-field\` is a height field of as many triangles. Peers are there where Debian has them: Embree
-		(robust, one ray, or five of a packet of eight), ODE and Bullet (without their broad phases).
+		\`sole\` is asked one by one, \`sole-batch\` 40 at once by \`soleCastProbes()\`. \`five-rays\` are five under one
+		foot, asked at once. Spheres have a radius of 0.1 m. \`ray-field\` is a height field of as many triangles. Peers
+		are those that Debian has: Embree (robust; one ray, or five of a packet of eight), ODE and Bullet (without their
+		broad phases).
 
 		$( pivot '^(ray|five|sphere)-' )
 

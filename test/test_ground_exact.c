@@ -6,6 +6,7 @@
 #include "ground/ground_internal.h"
 
 static int32_t queryCount = 60000;
+static uint32_t alongAxes = 8; // of ten probes
 
 /// Asks every triangle, and keeps the one that goes before all others. A triangle's layers are its name.
 static soleHit askAll( const testMesh* mesh, const uint32_t* layers, bool twoSided, const soleProbe* probe )
@@ -78,7 +79,7 @@ static soleProbe makeProbe( const testMesh* mesh, float size, uint32_t* seed )
 	static const float radii[] = { 0.0f, 0.0f, 0.0f, 0.001f, 0.1f, 0.8f };
 	soleVec3 direction = testRandomDirection( seed );
 	uint32_t kind = testRandom( seed ) % 10;
-	if ( kind < 8 )
+	if ( kind < alongAxes )
 	{
 		float sign = testRandom( seed ) % 4 == 0 ? 1.0f : -1.0f;
 		direction = kind < 6 ? soleVec( 0.0f, sign, 0.0f )
@@ -165,6 +166,21 @@ static void flatGridsFullOfSeams( void** state )
 	}
 	compareWithAll( &mesh, false, 6.0f, 7 );
 	testFreeMesh( &mesh );
+}
+
+static void slantedProbesFarFromTheOrigin( void** state )
+{
+	(void)state;
+	alongAxes = 0;
+	testMesh mesh = testMakeTerrain( 8, 20, 0.05f, 0.02f );
+	for ( int32_t i = 0; i < mesh.vertexCount; ++i )
+	{
+		mesh.vertices[3 * i] += 30000.0f;
+		mesh.vertices[3 * i + 2] -= 30000.0f;
+	}
+	compareWithAll( &mesh, true, 2.0f, 41 );
+	testFreeMesh( &mesh );
+	alongAxes = 8;
 }
 
 static void soups( void** state )
@@ -278,6 +294,7 @@ int main( int argc, char** argv )
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test( terrainsOfEveryAxis ),
 		cmocka_unit_test( flatGridsFullOfSeams ),
+		cmocka_unit_test( slantedProbesFarFromTheOrigin ),
 		cmocka_unit_test( soups ),
 		cmocka_unit_test( storeysAndWallsAndOneGreatFloor ),
 		cmocka_unit_test( needlesFansAndCopies ),

@@ -9,7 +9,7 @@
 #include "base/core.h"
 #include "ground/split.h"
 
-#define CELLS_PER_NODE 8       // a cell is a third as wide as a node of blocks
+#define CELLS_PER_NODE 6       // a cell is less than half as wide as a node of blocks
 #define MOST_NAMES_PER_NODE 40 // beyond, the ground is not of a kind that cells are good for
 
 /// The box around a node's blocks. @return false where it has none

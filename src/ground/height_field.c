@@ -71,14 +71,14 @@ static void soleGetCells(
 	*last = high > 0.0 ? (int32_t)( high < limit ? high : limit ) : 0;
 }
 
-/// The two triangles of a cell as the first two of a block.
-static void soleFillCellBlock( const soleHeightField* f, int32_t i, int32_t j, soleGroundBlock* block )
+/// The two triangles of a cell as the first two of a block, and over again up to so many.
+static void soleFillCellBlock( const soleHeightField* f, int32_t i, int32_t j, int count, soleGroundBlock* block )
 {
 	const float* row = f->heights + (size_t)j * (size_t)f->countX + (size_t)i;
 	const float xs[2] = { (float)i * f->cellX, (float)( i + 1 ) * f->cellX };
 	const float zs[2] = { (float)j * f->cellZ, (float)( j + 1 ) * f->cellZ };
 	static const int corners[2][3][2] = { { { 0, 0 }, { 1, 1 }, { 1, 0 } }, { { 0, 0 }, { 0, 1 }, { 1, 1 } } };
-	for ( int lane = 0; lane < SOLE_GROUND_BLOCK_SIZE; ++lane )
+	for ( int lane = 0; lane < count; ++lane )
 	{
 		for ( int k = 0; k < 3; ++k )
 		{
@@ -93,11 +93,13 @@ static void soleFillCellBlock( const soleHeightField* f, int32_t i, int32_t j, s
 static void soleMeetCell( soleFieldWalk* walk, int32_t i, int32_t j )
 {
 	const soleHeightField* f = &walk->field->field;
+	// To sift two triangles for a ray is dearer than to decide.
+	bool sphere = walk->query->radius > 0.0f;
 	soleGroundBlock block;
-	soleFillCellBlock( f, i, j, &block );
+	soleFillCellBlock( f, i, j, sphere ? SOLE_GROUND_BLOCK_SIZE : 2, &block );
 	float bounds[SOLE_GROUND_BLOCK_SIZE];
 	float travel = soleMinF( walk->query->length, (float)walk->best.t );
-	uint32_t bits = soleSiftBlock( walk->query, &block, false, travel, bounds );
+	uint32_t bits = sphere ? soleSiftForSphere( walk->query, &block, false, travel, bounds ) : 3u;
 	for ( uint32_t k = 0; k < 2; ++k )
 	{
 		bool hole = !soleIsFinite( ( block.corners[0][1][k] + block.corners[1][1][k] ) + block.corners[2][1][k] );
