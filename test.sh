@@ -70,6 +70,7 @@ check docs
 check version
 check install
 check glb
+check instructions
 if [ $quick = no ]; then
 	check tidy
 fi

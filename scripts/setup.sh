@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what Sole's scripts need on Debian 12 and does nothing where all of it is there.
-# usage: scripts/setup.sh PURPOSE...    purposes: build, test
+# usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -42,6 +42,17 @@ needTest()
 	need npm npm
 }
 
+# What Sole is compared with is installed for the comparison alone.
+needBench()
+{
+	need g++ g++
+	need valgrind valgrind
+	need gnuplot-nox gnuplot
+	need libembree-dev
+	need libode-dev
+	need libbullet-dev
+}
+
 installMissing()
 {
 	if [ ${#missing[@]} -eq 0 ]; then
@@ -78,14 +89,15 @@ installNodePackages()
 }
 
 if [ $# -eq 0 ]; then
-	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test" >&2
+	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench" >&2
 	exit 2
 fi
 for purpose in "$@"; do
 	case $purpose in
 		build) needBuild ;;
 		test) needTest ;;
-		*) echo "setup: there is no purpose '$purpose': use build or test" >&2; exit 2 ;;
+		bench) needBench ;;
+		*) echo "setup: there is no purpose '$purpose': use build, test or bench" >&2; exit 2 ;;
 	esac
 done
 installMissing

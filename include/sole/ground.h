@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Optional ground for those without physics: triangle meshes, height fields and planes, asked with rays and swept
 // spheres, still or moving. Knows nothing of feet: a probe and a hit are all it shares with the rest. Immutable once
-// made, any number of threads may cast at once. Results do not depend on the order of triangles but for ties, which go
-// to the lower index. No ray slips between triangles that share their corners, whatever its direction.
+// made but for soleRefitGround(), any number of threads may cast at once. Results do not depend on the order of
+// triangles but for ties, which go to the lower index. No ray slips between triangles that share their corners,
+// whatever its direction.
 #ifndef SOLE_GROUND_H
 #define SOLE_GROUND_H
 
@@ -75,6 +76,12 @@ SOLE_API soleGroundPlane soleDefaultGroundPlane( void );
 /// Refuses vertices that are not finite and indices out of range; drops triangles without area.
 SOLE_API soleResult soleCreateGround(
     const soleGroundDef* def, const soleAllocator* allocator, soleGround** ground, soleMessage* message );
+/// Takes over where everything is now, in place and without memory: the definition that the ground was made of with
+/// other vertices, heights or planes, its counts unchanged. Cheaper than a new ground, and as good for as long as
+/// neighbours stay neighbours. Triangles that had no area at first stay left out; layers and surfaces are those of the
+/// first time. Not while others cast.
+/// @return sole_invalidDefinition where the definition is not usable or of other counts: nothing has changed then
+SOLE_API soleResult soleRefitGround( soleGround* ground, const soleGroundDef* def, soleMessage* message );
 /// NULL is allowed.
 SOLE_API void soleDestroyGround( soleGround* ground );
 
@@ -84,7 +91,8 @@ SOLE_API void soleDestroyGround( soleGround* ground );
 /// nearest is reported.
 SOLE_API soleHit soleCastProbe( const soleGround* ground, const soleProbe* probe );
 
-/// The same for many: hits[i] answers probes[i].
+/// The same for many: hits[i] answers probes[i]. Faster than one by one, as they wait for memory together; the more so
+/// the closer together those are that follow each other.
 SOLE_API void soleCastProbes( const soleGround* ground, const soleProbe* probes, int32_t count, soleHit* hits );
 
 /// A ground that moves as a whole: a lift, a turntable, a vehicle. Where it is now and how it moves.

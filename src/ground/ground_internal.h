@@ -1,45 +1,74 @@
 // SPDX-License-Identifier: MIT
 // What the files of the ground share: how it is stored, a prepared question, the best answer so far. World space, but
 // for height fields, which are asked in their own axes.
+//
+// Meshes are kept as a tree of eight boxes a node whose leaves are blocks of four triangles with their corners in
+// place: what a short probe waits for is memory, and so it waits for one leaf, not for corners named by numbers
+// elsewhere. Why not a grid: docs/design-reasons.md.
 #ifndef SOLE_GROUND_INTERNAL_H
 #define SOLE_GROUND_INTERNAL_H
 
 #include "sole/ground.h"
 
-#define SOLE_GROUND_LEAF_SIZE 4
+#include <string.h>
+
+#define SOLE_GROUND_BLOCK_SIZE 4
+#define SOLE_GROUND_NODE_SIZE 8
 // The tree is never deeper than this: beyond half of it ranges are halved by count. See tree.c.
 #define SOLE_GROUND_MAX_DEPTH 40
-// Each level leaves at most three brothers behind.
-#define SOLE_GROUND_STACK_SIZE ( 3 * SOLE_GROUND_MAX_DEPTH + 4 )
-#define SOLE_GROUND_NO_CHILD 0xffffffffu
-// A child of a node has its low three bits for the number of triangles.
+// Each level leaves all but one of its brothers behind.
+#define SOLE_GROUND_STACK_SIZE ( ( SOLE_GROUND_NODE_SIZE - 1 ) * SOLE_GROUND_MAX_DEPTH + SOLE_GROUND_NODE_SIZE )
+#define SOLE_GROUND_NONE 0xffffffffu
+#define SOLE_GROUND_LIST 0x80000000u
 #define SOLE_GROUND_MAX_TRIANGLES ( 1 << 28 )
 
-/// A triangle as it is asked: corners are numbers of vertices.
-typedef struct soleGroundTriangle
+/// Four triangles that lie close together, number by number: a leaf of the tree, and all that is kept of the meshes.
+typedef struct soleGroundBlock
 {
-	uint32_t corners[3];
-	uint32_t index; // counted through all meshes as they were given: decides ties
-	uint32_t mesh;
-} soleGroundTriangle;
+	float corners[3][3][SOLE_GROUND_BLOCK_SIZE]; // corner, axis, triangle; a free place repeats the first triangle
+	/// Counted through all meshes as they were given: decides ties. A free place has SOLE_GROUND_NONE.
+	uint32_t indices[SOLE_GROUND_BLOCK_SIZE];
+} soleGroundBlock;
 
-/// Four boxes, one per child, axis by axis. Children fill the lower places; a free one is SOLE_GROUND_NO_CHILD.
+/// Eight boxes, one per child, axis by axis. A free place has a box that nothing meets, lower above upper.
 typedef struct soleGroundNode
 {
-	float lower[3][4];
-	float upper[3][4];
-	/// Number of triangles (0: a node) in the low three bits, above them the first triangle or the node.
-	uint32_t children[4];
+	float lower[3][SOLE_GROUND_NODE_SIZE];
+	float upper[3][SOLE_GROUND_NODE_SIZE];
+	/// Twice the number of a node, or twice the number of a block plus one.
+	uint32_t children[SOLE_GROUND_NODE_SIZE];
 } soleGroundNode;
 
 /// What all triangles of one mesh have in common.
 typedef struct soleGroundPart
 {
 	uint32_t firstIndex; // of its first triangle
-	uint32_t layer;      // where the ground has no layers per triangle
+	int32_t triangleCount;
+	uint32_t layer; // where the ground has no layers per triangle
 	int32_t surface;
 	bool twoSided;
 } soleGroundPart;
+
+/// Nodes whose blocks are over a cell: up to two, or SOLE_GROUND_LIST and the place of a list, and how many are in it.
+typedef struct soleGroundCell
+{
+	uint32_t nodes[2];
+} soleGroundCell;
+
+/// Cells over the plane across one axis, for probes along it.
+typedef struct soleGroundColumns
+{
+	bool usable;
+	int axis;
+	int axes[2]; // across
+	float low[2];
+	float cellsPerUnit[2];
+	int32_t counts[2];
+	soleGroundCell* cells; // row by row along axes[0]
+	int32_t cellCount;
+	uint32_t* lists;
+	int32_t listCapacity;
+} soleGroundColumns;
 
 /// A height field with its own copy of the heights and the range they span.
 typedef struct soleGroundField
@@ -54,17 +83,16 @@ typedef struct soleGroundField
 struct soleGround
 {
 	soleAllocator allocator; // alloc NULL: malloc and free
-	float* vertices;         // 3 a vertex, all meshes one after another
-	int32_t vertexCount;
-	int32_t vertexCapacity;        // what was asked of the allocator
-	soleGroundTriangle* triangles; // in the order of the tree's leaves
-	int32_t triangleCount;
-	int32_t triangleCapacity; // more than the count where triangles without area were dropped
-	uint32_t* layers;         // per triangle, or NULL: those of the parts
-	soleGroundNode* nodes;    // the first is the root; none where there are no triangles
+	soleGroundBlock* blocks;
+	int32_t blockCount;
+	int32_t triangleCount; // without those that have no area
+	uint32_t* layers;      // per place of a block, or NULL: those of the parts
+	soleGroundNode* nodes; // the first is the root, children come after their parents; none without triangles
 	int32_t nodeCount;
+	soleGroundColumns columns;
 	soleGroundPart* parts;
 	int32_t partCount;
+	bool anyTwoSided;
 	soleGroundField* fields;
 	int32_t fieldCount;
 	soleGroundPlane* planes;
@@ -86,6 +114,8 @@ typedef struct soleGroundQuery
 	/// winding of triangles.
 	int axes[3];
 	float shear[2];
+	/// The direction is along one axis.
+	bool aligned;
 } soleGroundQuery;
 
 /// The nearest that was met so far, in the space of the query.
@@ -130,26 +160,32 @@ static inline bool soleGroundTouch_IsBefore( const soleGroundTouch* a, const sol
 	return a->index < b->index;
 }
 
+/// The stride may be any: copied byte by byte, not read as floats in place.
+static inline void soleReadMeshVertex( const soleGroundMesh* mesh, uint32_t vertex, float p[3] )
+{
+	memcpy( p, (const char*)mesh->vertices + (size_t)vertex * (size_t)mesh->vertexStride, 3 * sizeof( float ) );
+}
+
 // ray.c
 
 /// @return false where the probe asks nothing: not finite, without a length or a direction.
 bool soleMakeGroundQuery(
     soleVec3 start, soleVec3 direction, float length, float radius, uint32_t mask, soleGroundQuery* query );
-/// Ray against one triangle. Fills all of touch but index, layer and surface.
+/// Ray against one triangle of a block. Fills all of touch but index, layer and surface.
 bool soleRayMeetsTriangle(
-    const soleGroundQuery* query, const float* const corners[3], bool twoSided, soleGroundTouch* touch );
+    const soleGroundQuery* query, const soleGroundBlock* block, uint32_t lane, bool twoSided, soleGroundTouch* touch );
 
 // sphere.c
 
-/// Moving sphere against one triangle. Fills all of touch but index, layer and surface.
+/// Moving sphere against one triangle of a block. Fills all of touch but index, layer and surface.
 bool soleSphereMeetsTriangle(
-    const soleGroundQuery* query, const float* const corners[3], bool twoSided, soleGroundTouch* touch );
+    const soleGroundQuery* query, const soleGroundBlock* block, uint32_t lane, bool twoSided, soleGroundTouch* touch );
 
 static inline bool soleMeetTriangle(
-    const soleGroundQuery* query, const float* const corners[3], bool twoSided, soleGroundTouch* touch )
+    const soleGroundQuery* query, const soleGroundBlock* block, uint32_t lane, bool twoSided, soleGroundTouch* touch )
 {
-	return query->radius > 0.0f ? soleSphereMeetsTriangle( query, corners, twoSided, touch )
-	                            : soleRayMeetsTriangle( query, corners, twoSided, touch );
+	return query->radius > 0.0f ? soleSphereMeetsTriangle( query, block, lane, twoSided, touch )
+	                            : soleRayMeetsTriangle( query, block, lane, twoSided, touch );
 }
 
 // height_field.c
@@ -161,15 +197,59 @@ void soleGroundField_GetBounds( const soleGroundField* field, soleVec3* lower, s
 void soleCastHeightField(
     const soleGroundField* field, const soleGroundQuery* query, int64_t firstIndex, soleGroundTouch* best );
 
+// columns.c
+
+/// Makes the columns along an axis where they are of use. @return false when out of memory: the ground may still be
+/// destroyed.
+bool soleMakeColumns( soleGround* ground, int axis );
+void soleFreeColumns( soleGround* ground );
+/// Fits them to nodes that were refitted.
+void soleRefitColumns( soleGround* ground );
+/// The cell of a coordinate along axes[side]; those outside count to the outermost.
+static inline int32_t soleGroundColumns_FindCell( const soleGroundColumns* columns, int side, float x )
+{
+	float cell = ( x - columns->low[side] ) * columns->cellsPerUnit[side];
+	float last = (float)( columns->counts[side] - 1 );
+	return cell > 0.0f ? (int32_t)( cell < last ? cell : last ) : 0; // no number counts as zero
+}
+
+/// The nodes of a cell.
+static inline const uint32_t* soleGroundColumns_GetNodes(
+    const soleGroundColumns* columns, int32_t x, int32_t y, uint32_t* count )
+{
+	const soleGroundCell* cell = columns->cells + (size_t)y * (size_t)columns->counts[0] + (size_t)x;
+	if ( cell->nodes[0] != SOLE_GROUND_NONE && ( cell->nodes[0] & SOLE_GROUND_LIST ) != 0 )
+	{
+		*count = cell->nodes[1];
+		return columns->lists + ( cell->nodes[0] & ~SOLE_GROUND_LIST );
+	}
+	*count = cell->nodes[0] == SOLE_GROUND_NONE ? 0 : ( cell->nodes[1] == SOLE_GROUND_NONE ? 1 : 2 );
+	return cell->nodes;
+}
+
 // cast.c
 
 /// The nearest of all that a ground holds. @return false where nothing was met.
 bool soleCastQuery( const soleGround* ground, const soleGroundQuery* query, soleGroundTouch* best );
 
+// check.c
+
+/// @param message what is wrong and how to mend it. May be NULL.
+bool soleCheckGroundDef( const soleGroundDef* def, soleMessage* message );
+
+// build.c
+
+/// The mesh that a triangle is of.
+int32_t soleGround_FindPart( const soleGround* ground, uint32_t index );
+/// Reads the corners of a triangle from the meshes that the ground was made of.
+void soleReadTriangle( const soleGround* ground, const soleGroundDef* def, uint32_t index, float corners[3][3] );
+
 // tree.c
 
-/// Sorts the ground's triangles and makes its nodes. @return false when out of memory: the ground may still be
-/// destroyed.
-bool soleBuildGroundTree( soleGround* ground );
+/// Makes blocks and nodes of the parts' triangles, but for those without area. @return false when out of memory: the
+/// ground may still be destroyed.
+bool soleBuildGroundTree( soleGround* ground, const soleGroundDef* def );
+/// Takes the corners anew and fits all boxes to them.
+void soleRefitGroundTree( soleGround* ground, const soleGroundDef* def );
 
 #endif

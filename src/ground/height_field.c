@@ -5,7 +5,7 @@
 // of a cell are asked as any others. Rows are taken in the order in which they are reached, so that the first row that
 // begins beyond the nearest touch ends the search. Cells are taken with a margin (the sphere's radius and what rounding
 // may shift), hence a vertical ray asks one cell, or the two or four that meet under it: borders have no gaps.
-#include "ground/ground_internal.h"
+#include "ground/block.h"
 
 /// The probe's way in double, for clipping, and the reach around it.
 typedef struct soleFieldWalk
@@ -71,32 +71,44 @@ static void soleGetCells(
 	*last = high > 0.0 ? (int32_t)( high < limit ? high : limit ) : 0;
 }
 
+/// The two triangles of a cell as the first two of a block, and over again up to so many.
+static void soleFillCellBlock( const soleHeightField* f, int32_t i, int32_t j, int count, soleGroundBlock* block )
+{
+	const float* row = f->heights + (size_t)j * (size_t)f->countX + (size_t)i;
+	const float xs[2] = { (float)i * f->cellX, (float)( i + 1 ) * f->cellX };
+	const float zs[2] = { (float)j * f->cellZ, (float)( j + 1 ) * f->cellZ };
+	static const int corners[2][3][2] = { { { 0, 0 }, { 1, 1 }, { 1, 0 } }, { { 0, 0 }, { 0, 1 }, { 1, 1 } } };
+	for ( int lane = 0; lane < count; ++lane )
+	{
+		for ( int k = 0; k < 3; ++k )
+		{
+			const int* corner = corners[lane & 1][k];
+			block->corners[k][0][lane] = xs[corner[0]];
+			block->corners[k][1][lane] = row[(size_t)corner[1] * (size_t)f->countX + (size_t)corner[0]];
+			block->corners[k][2][lane] = zs[corner[1]];
+		}
+	}
+}
+
 static void soleMeetCell( soleFieldWalk* walk, int32_t i, int32_t j )
 {
 	const soleHeightField* f = &walk->field->field;
-	const float* row = f->heights + (size_t)j * (size_t)f->countX + (size_t)i;
-	float x0 = (float)i * f->cellX;
-	float x1 = (float)( i + 1 ) * f->cellX;
-	float z0 = (float)j * f->cellZ;
-	float z1 = (float)( j + 1 ) * f->cellZ;
-	float p00[3] = { x0, row[0], z0 };
-	float p10[3] = { x1, row[1], z0 };
-	float p01[3] = { x0, row[f->countX], z1 };
-	float p11[3] = { x1, row[f->countX + 1], z1 };
-	const float* const triangles[2][3] = { { p00, p11, p10 }, { p00, p01, p11 } };
-	for ( int k = 0; k < 2; ++k )
+	// To sift two triangles for a ray is dearer than to decide.
+	bool sphere = walk->query->radius > 0.0f;
+	soleGroundBlock block;
+	soleFillCellBlock( f, i, j, sphere ? SOLE_GROUND_BLOCK_SIZE : 2, &block );
+	float bounds[SOLE_GROUND_BLOCK_SIZE];
+	float travel = soleMinF( walk->query->length, (float)walk->best.t );
+	uint32_t bits = sphere ? soleSiftForSphere( walk->query, &block, false, travel, bounds ) : 3u;
+	for ( uint32_t k = 0; k < 2; ++k )
 	{
-		const float* const* corners = triangles[k];
-		if ( !soleIsFinite( ( corners[0][1] + corners[1][1] ) + corners[2][1] ) )
-		{
-			continue; // a hole
-		}
+		bool hole = !soleIsFinite( ( block.corners[0][1][k] + block.corners[1][1][k] ) + block.corners[2][1][k] );
 		soleGroundTouch touch;
-		if ( !soleMeetTriangle( walk->query, corners, false, &touch ) )
+		if ( ( bits >> k & 1u ) == 0 || hole || !soleMeetTriangle( walk->query, &block, k, false, &touch ) )
 		{
 			continue;
 		}
-		touch.index = walk->firstIndex + 2 * ( (int64_t)j * ( f->countX - 1 ) + i ) + k;
+		touch.index = walk->firstIndex + 2 * ( (int64_t)j * ( f->countX - 1 ) + i ) + (int64_t)k;
 		if ( soleGroundTouch_IsBefore( &touch, &walk->best ) )
 		{
 			walk->best = touch;

@@ -5,10 +5,10 @@
 // left is flat: three edge functions, each twice the area of the ray with one edge. Same signs: inside.
 //   U = Cx By - Cy Bx,  V = Ax Cy - Ay Cx,  W = Bx Ay - By Ax
 // Two triangles that share an edge compute the same products and get exactly opposite differences, hence no crack. A
-// float difference of rounded products never has the wrong sign, at most it is zero: so floats may refuse, and what
-// they let pass is decided in double, where the products are exact. Needs contraction off. Where on the ray it is met
-// says the triangle's plane, in double and not sheared: exact for needles too.
-// Source of the idea: Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.
+// float difference of rounded products never has the wrong sign, at most it is zero: so floats may refuse, as block.c
+// does, and what they let pass is decided here in double, where the products are exact. Needs contraction off. Where on
+// the ray it is met says the triangle's plane, in double and not sheared: exact for needles too. Source of the idea:
+// Woop, Benthin, Wald, Watertight Ray/Triangle Intersection, JCGT 2(1), 2013.
 #include "ground/ground_internal.h"
 
 bool soleMakeGroundQuery(
@@ -21,14 +21,13 @@ bool soleMakeGroundQuery(
 		.radius = radius > 0.0f ? radius : 0.0f,
 		.mask = mask,
 	};
-	if ( !soleVec3_IsFinite( start ) || !soleVec3_IsFinite( direction ) || !soleIsFinite( length ) ||
-	    !soleIsFinite( radius ) || !( length > 0.0f ) )
-	{
-		return false;
-	}
+	// A number that is not finite minus itself is no number, and stays so in a sum.
+	float zero = ( ( start.x - start.x ) + ( start.y - start.y ) ) + ( ( start.z - start.z ) + ( length - length ) ) +
+	    ( ( radius - radius ) + ( direction.x - direction.x ) ) +
+	    ( ( direction.y - direction.y ) + ( direction.z - direction.z ) );
 	float size[3] = { fabsf( direction.x ), fabsf( direction.y ), fabsf( direction.z ) };
 	int z = size[0] > size[1] ? ( size[0] > size[2] ? 0 : 2 ) : ( size[1] > size[2] ? 1 : 2 );
-	if ( !( size[z] > 1e-18f ) )
+	if ( !( zero == 0.0f ) || !( length > 0.0f ) || !( size[z] > 1e-18f ) )
 	{
 		return false;
 	}
@@ -38,13 +37,18 @@ bool soleMakeGroundQuery(
 	query->axes[0] = backwards ? y : x;
 	query->axes[1] = backwards ? x : y;
 	query->axes[2] = z;
-	query->shear[0] = query->direction[query->axes[0]] / query->direction[z];
-	query->shear[1] = query->direction[query->axes[1]] / query->direction[z];
+	query->aligned = query->direction[x] == 0.0f && query->direction[y] == 0.0f;
+	if ( query->aligned == false )
+	{
+		query->shear[0] = query->direction[query->axes[0]] / query->direction[z];
+		query->shear[1] = query->direction[query->axes[1]] / query->direction[z];
+	}
 	return true;
 }
 
 /// Where the ray goes through the plane of a triangle that it meets. @return false beyond the probe's ends.
-static bool soleFillRayTouch( const soleGroundQuery* query, const float* const corners[3], soleGroundTouch* touch )
+static bool soleFillRayTouch(
+    const soleGroundQuery* query, const soleGroundBlock* block, uint32_t lane, soleGroundTouch* touch )
 {
 	double d[3];
 	double from[3];
@@ -53,9 +57,9 @@ static bool soleFillRayTouch( const soleGroundQuery* query, const float* const c
 	for ( int k = 0; k < 3; ++k )
 	{
 		d[k] = (double)query->direction[k];
-		from[k] = (double)corners[0][k] - (double)query->start[k];
-		u[k] = (double)corners[1][k] - (double)corners[0][k];
-		v[k] = (double)corners[2][k] - (double)corners[0][k];
+		from[k] = (double)block->corners[0][k][lane] - (double)query->start[k];
+		u[k] = (double)block->corners[1][k][lane] - (double)block->corners[0][k][lane];
+		v[k] = (double)block->corners[2][k][lane] - (double)block->corners[0][k][lane];
 	}
 	double n[3] = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0] };
 	double length = sqrt( ( n[0] * n[0] + n[1] * n[1] ) + n[2] * n[2] );
@@ -64,11 +68,17 @@ static bool soleFillRayTouch( const soleGroundQuery* query, const float* const c
 
 	// Nearly edge on the plane says little; the travels to the corners say between what it must be.
 	int z = query->axes[2];
-	double ends[3] = { from[z] / d[z], ( from[z] + u[z] ) / d[z], ( from[z] + v[z] ) / d[z] };
+	double ends[3] = { from[z], from[z] + u[z], from[z] + v[z] };
 	double low = ends[0] < ends[1] ? ends[0] : ends[1];
 	double high = ends[0] < ends[1] ? ends[1] : ends[0];
-	low = low < ends[2] ? low : ends[2];
-	high = high > ends[2] ? high : ends[2];
+	low = ( low < ends[2] ? low : ends[2] ) / d[z];
+	high = ( high > ends[2] ? high : ends[2] ) / d[z];
+	if ( d[z] < 0.0 )
+	{
+		double swapped = low;
+		low = high;
+		high = swapped;
+	}
 	t = t > low ? ( t < high ? t : high ) : low; // a t that is no number compares false: low
 	if ( !( t >= 0.0 ) || !( t <= (double)query->length ) )
 	{
@@ -88,37 +98,27 @@ static bool soleFillRayTouch( const soleGroundQuery* query, const float* const c
 }
 
 bool soleRayMeetsTriangle(
-    const soleGroundQuery* query, const float* const corners[3], bool twoSided, soleGroundTouch* touch )
+    const soleGroundQuery* query, const soleGroundBlock* block, uint32_t lane, bool twoSided, soleGroundTouch* touch )
 {
 	int kx = query->axes[0];
 	int ky = query->axes[1];
 	int kz = query->axes[2];
-	float x[3];
-	float y[3];
+	double x[3];
+	double y[3];
 	for ( int i = 0; i < 3; ++i )
 	{
-		float z = corners[i][kz] - query->start[kz];
-		x[i] = ( corners[i][kx] - query->start[kx] ) - query->shear[0] * z;
-		y[i] = ( corners[i][ky] - query->start[ky] ) - query->shear[1] * z;
+		float z = block->corners[i][kz][lane] - query->start[kz];
+		x[i] = (double)( ( block->corners[i][kx][lane] - query->start[kx] ) - query->shear[0] * z );
+		y[i] = (double)( ( block->corners[i][ky][lane] - query->start[ky] ) - query->shear[1] * z );
 	}
-	float u = x[2] * y[1] - y[2] * x[1];
-	float v = x[0] * y[2] - y[0] * x[2];
-	float w = x[1] * y[0] - y[1] * x[0];
-	bool anyBehind = u < 0.0f || v < 0.0f || w < 0.0f;
-	bool anyFront = u > 0.0f || v > 0.0f || w > 0.0f;
-	if ( anyBehind && ( anyFront || twoSided == false ) )
-	{
-		return false;
-	}
-
-	double exactU = (double)x[2] * (double)y[1] - (double)y[2] * (double)x[1];
-	double exactV = (double)x[0] * (double)y[2] - (double)y[0] * (double)x[2];
-	double exactW = (double)x[1] * (double)y[0] - (double)y[1] * (double)x[0];
-	anyBehind = exactU < 0.0 || exactV < 0.0 || exactW < 0.0;
-	anyFront = exactU > 0.0 || exactV > 0.0 || exactW > 0.0;
+	double u = x[2] * y[1] - y[2] * x[1];
+	double v = x[0] * y[2] - y[0] * x[2];
+	double w = x[1] * y[0] - y[1] * x[0];
+	bool anyBehind = u < 0.0 || v < 0.0 || w < 0.0;
+	bool anyFront = u > 0.0 || v > 0.0 || w > 0.0;
 	if ( ( anyBehind && ( anyFront || twoSided == false ) ) || anyBehind == anyFront )
 	{
 		return false; // outside, from the back, or seen edge on: then all three are zero
 	}
-	return soleFillRayTouch( query, corners, touch );
+	return soleFillRayTouch( query, block, lane, touch );
 }

@@ -208,14 +208,14 @@ static void soleFillSphereTouch( const soleGroundQuery* query, const soleSweep* 
 
 /// @return false for a triangle that cannot be met: without area, or one-sided and seen from behind.
 static bool soleMakeSweep(
-    const soleGroundQuery* query, const float* const corners[3], bool twoSided, soleSweep* sweep )
+    const soleGroundQuery* query, const soleGroundBlock* block, uint32_t lane, bool twoSided, soleSweep* sweep )
 {
 	for ( int i = 0; i < 3; ++i )
 	{
 		sweep->corners[i] = ( solePoint ){
-			(double)corners[i][0] - (double)query->start[0],
-			(double)corners[i][1] - (double)query->start[1],
-			(double)corners[i][2] - (double)query->start[2],
+			(double)block->corners[i][0][lane] - (double)query->start[0],
+			(double)block->corners[i][1][lane] - (double)query->start[1],
+			(double)block->corners[i][2][lane] - (double)query->start[2],
 		};
 	}
 	sweep->way = ( solePoint ){
@@ -244,10 +244,10 @@ static bool soleMakeSweep(
 }
 
 bool soleSphereMeetsTriangle(
-    const soleGroundQuery* query, const float* const corners[3], bool twoSided, soleGroundTouch* touch )
+    const soleGroundQuery* query, const soleGroundBlock* block, uint32_t lane, bool twoSided, soleGroundTouch* touch )
 {
 	soleSweep sweep;
-	if ( !soleMakeSweep( query, corners, twoSided, &sweep ) )
+	if ( !soleMakeSweep( query, block, lane, twoSided, &sweep ) )
 	{
 		return false;
 	}

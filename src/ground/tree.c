@@ -1,40 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The tree over a ground's triangles: four boxes a node, up to four triangles a leaf. World space.
+// The tree over a ground's triangles: eight boxes a node, blocks of up to four triangles as leaves. World space.
 //
-// A range of triangles is cut in two where the surface area heuristic is least: triangles are counted into bins along
-// each axis by the middle of their box, and of all cuts between bins the one with the least
-//   area( left ) count( left ) + area( right ) count( right )
-// is taken (Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007). A node takes a range and cuts
-// the child with the largest area until there are four. Below half of SOLE_GROUND_MAX_DEPTH ranges are halved by count
-// instead: a node then has four quarters, and the other half of the depth is enough for any number of triangles.
-#include "ground/ground_internal.h"
-
+// A node takes a range and cuts the child with the largest area until there are eight, but none that one level less
+// could hold: so nodes are full too. Below half of SOLE_GROUND_MAX_DEPTH ranges are halved by count instead; a node
+// then has eight equal parts, and the other half of the depth is enough for any number of triangles.
 #include "base/core.h"
+#include "ground/split.h"
 
 #include <string.h>
 
-#define BIN_COUNT 12
 #define SAH_DEPTH ( SOLE_GROUND_MAX_DEPTH / 2 )
-
-typedef struct soleBox
-{
-	float lower[3];
-	float upper[3];
-} soleBox;
-
-typedef struct soleBin
-{
-	soleBox box;
-	int32_t count;
-} soleBin;
-
-/// A range of triangles and the box around it.
-typedef struct soleRange
-{
-	soleBox box;
-	int32_t first;
-	int32_t count;
-} soleRange;
 
 /// A range that waits to become the node that has been set aside for it.
 typedef struct soleTask
@@ -47,191 +22,42 @@ typedef struct soleTask
 typedef struct soleTreeBuilder
 {
 	const soleAllocator* allocator;
-	soleGroundTriangle* triangles;
-	soleBox* boxes; // goes with triangles
+	soleReference* references;
+	int32_t referenceCount;
 	soleGroundNode* nodes;
 	int32_t nodeCount;
 	int32_t nodeCapacity;
 } soleTreeBuilder;
 
-static soleBox soleBox_Empty( void )
+/// How many triangles a child of a full node has.
+static int32_t soleGetChildCapacity( int32_t count )
 {
-	soleBox box;
-	for ( int k = 0; k < 3; ++k )
+	int64_t capacity = SOLE_GROUND_BLOCK_SIZE;
+	while ( capacity * SOLE_GROUND_NODE_SIZE < count )
 	{
-		box.lower[k] = INFINITY;
-		box.upper[k] = -INFINITY;
+		capacity *= SOLE_GROUND_NODE_SIZE;
 	}
-	return box;
+	return (int32_t)capacity;
 }
 
-static void soleBox_Add( soleBox* box, const soleBox* other )
+/// Cuts a range until it fits a node, none of the parts empty. @return how many.
+static int soleMakeChildren( soleTreeBuilder* builder, const soleTask* task, soleRange* children )
 {
-	for ( int k = 0; k < 3; ++k )
-	{
-		box->lower[k] = soleMinF( box->lower[k], other->lower[k] );
-		box->upper[k] = soleMaxF( box->upper[k], other->upper[k] );
-	}
-}
-
-/// Half the surface. In double: the square of a far coordinate has no room in a float.
-static double soleBox_GetArea( const soleBox* box )
-{
-	double x = (double)box->upper[0] - (double)box->lower[0];
-	double y = (double)box->upper[1] - (double)box->lower[1];
-	double z = (double)box->upper[2] - (double)box->lower[2];
-	return x * y + y * z + z * x;
-}
-
-/// Middle of a box times two.
-static float soleBox_GetMiddle( const soleBox* box, int axis )
-{
-	return box->lower[axis] + box->upper[axis];
-}
-
-static int32_t soleGetBin( float middle, float low, float scale )
-{
-	int32_t bin = (int32_t)( ( middle - low ) * scale );
-	return bin < 0 ? 0 : ( bin < BIN_COUNT ? bin : BIN_COUNT - 1 );
-}
-
-/// A way to cut a range: triangles in bins up to and including `bin` go left.
-typedef struct soleCut
-{
-	int axis; // -1: none
-	int32_t bin;
-	float low;
-	float scale;
-	double cost;
-} soleCut;
-
-/// Best cut across one axis, if it beats the one so far.
-static void soleTryAxis( const soleTreeBuilder* builder, const soleRange* range, int axis, soleCut* best )
-{
-	float low = INFINITY;
-	float high = -INFINITY;
-	for ( int32_t i = range->first; i < range->first + range->count; ++i )
-	{
-		float middle = soleBox_GetMiddle( builder->boxes + i, axis );
-		low = soleMinF( low, middle );
-		high = soleMaxF( high, middle );
-	}
-	float scale = (float)BIN_COUNT / ( high - low );
-	if ( !( high > low ) || !soleIsFinite( scale ) || !( scale > 0.0f ) )
-	{
-		return;
-	}
-
-	soleBin bins[BIN_COUNT];
-	for ( int32_t i = 0; i < BIN_COUNT; ++i )
-	{
-		bins[i] = ( soleBin ){ .box = soleBox_Empty(), .count = 0 };
-	}
-	for ( int32_t i = range->first; i < range->first + range->count; ++i )
-	{
-		soleBin* bin = bins + soleGetBin( soleBox_GetMiddle( builder->boxes + i, axis ), low, scale );
-		soleBox_Add( &bin->box, builder->boxes + i );
-		bin->count += 1;
-	}
-
-	double rightCost[BIN_COUNT];
-	soleBox box = soleBox_Empty();
-	int32_t count = 0;
-	for ( int32_t i = BIN_COUNT - 1; i > 0; --i )
-	{
-		soleBox_Add( &box, &bins[i].box );
-		count += bins[i].count;
-		rightCost[i] = count > 0 ? soleBox_GetArea( &box ) * (double)count : 0.0;
-	}
-	box = soleBox_Empty();
-	count = 0;
-	for ( int32_t i = 0; i + 1 < BIN_COUNT; ++i )
-	{
-		soleBox_Add( &box, &bins[i].box );
-		count += bins[i].count;
-		if ( count == 0 || count == range->count )
-		{
-			continue;
-		}
-		double cost = soleBox_GetArea( &box ) * (double)count + rightCost[i + 1];
-		if ( best->axis < 0 || cost < best->cost )
-		{
-			*best = ( soleCut ){ axis, i, low, scale, cost };
-		}
-	}
-}
-
-static void soleSwapTriangles( soleTreeBuilder* builder, int32_t a, int32_t b )
-{
-	soleGroundTriangle triangle = builder->triangles[a];
-	builder->triangles[a] = builder->triangles[b];
-	builder->triangles[b] = triangle;
-	soleBox box = builder->boxes[a];
-	builder->boxes[a] = builder->boxes[b];
-	builder->boxes[b] = box;
-}
-
-/// Moves the triangles left of the cut to the front. @return how many these are.
-static int32_t solePartition( soleTreeBuilder* builder, const soleRange* range, const soleCut* cut )
-{
-	int32_t left = range->first;
-	for ( int32_t i = range->first; i < range->first + range->count; ++i )
-	{
-		float middle = soleBox_GetMiddle( builder->boxes + i, cut->axis );
-		if ( soleGetBin( middle, cut->low, cut->scale ) <= cut->bin )
-		{
-			soleSwapTriangles( builder, left, i );
-			left += 1;
-		}
-	}
-	return left - range->first;
-}
-
-static soleRange soleMakeRange( const soleTreeBuilder* builder, int32_t first, int32_t count )
-{
-	soleRange range = { soleBox_Empty(), first, count };
-	for ( int32_t i = first; i < first + count; ++i )
-	{
-		soleBox_Add( &range.box, builder->boxes + i );
-	}
-	return range;
-}
-
-static void soleSplitRange( soleTreeBuilder* builder, int32_t depth, const soleRange* range, soleRange halves[2] )
-{
-	int32_t left = range->count / 2;
-	if ( depth < SAH_DEPTH )
-	{
-		soleCut cut = { -1, 0, 0.0f, 0.0f, 0.0 };
-		for ( int axis = 0; axis < 3; ++axis )
-		{
-			soleTryAxis( builder, range, axis, &cut );
-		}
-		// Without a cut all triangles have the same middle: any half is as good as another.
-		left = cut.axis >= 0 ? solePartition( builder, range, &cut ) : left;
-	}
-	halves[0] = soleMakeRange( builder, range->first, left );
-	halves[1] = soleMakeRange( builder, range->first + left, range->count - left );
-}
-
-/// Cuts a range into two to four, none empty. A range that fits a leaf stays whole. @return how many.
-static int soleMakeChildren( soleTreeBuilder* builder, const soleTask* task, soleRange children[4] )
-{
+	int32_t capacity = soleGetChildCapacity( task->range.count );
+	bool byCount = task->depth >= SAH_DEPTH;
 	children[0] = task->range;
 	int count = 1;
-	while ( count < 4 )
+	while ( count < SOLE_GROUND_NODE_SIZE )
 	{
 		int largest = -1;
+		double most = -1.0;
 		for ( int i = 0; i < count; ++i )
 		{
-			bool splits = children[i].count > SOLE_GROUND_LEAF_SIZE;
-			bool byCount = task->depth >= SAH_DEPTH;
-			if ( splits &&
-			    ( largest < 0 ||
-			        ( byCount ? children[i].count > children[largest].count
-			                  : soleBox_GetArea( &children[i].box ) > soleBox_GetArea( &children[largest].box ) ) ) )
+			double size = byCount ? (double)children[i].count : soleBox_GetArea( &children[i].box );
+			if ( children[i].count > capacity && !( size <= most ) )
 			{
 				largest = i;
+				most = size;
 			}
 		}
 		if ( largest < 0 )
@@ -239,7 +65,7 @@ static int soleMakeChildren( soleTreeBuilder* builder, const soleTask* task, sol
 			break;
 		}
 		soleRange halves[2];
-		soleSplitRange( builder, task->depth, &children[largest], halves );
+		soleSplitRange( builder->references, byCount, &children[largest], halves );
 		children[largest] = halves[0];
 		children[count] = halves[1];
 		count += 1;
@@ -267,23 +93,42 @@ static int32_t soleAddNode( soleTreeBuilder* builder )
 		builder->nodeCapacity = capacity;
 	}
 	soleGroundNode* node = builder->nodes + builder->nodeCount;
-	for ( int i = 0; i < 4; ++i )
+	for ( int i = 0; i < SOLE_GROUND_NODE_SIZE; ++i )
 	{
-		node->children[i] = SOLE_GROUND_NO_CHILD;
+		node->children[i] = SOLE_GROUND_NONE;
+		for ( int k = 0; k < 3; ++k )
+		{
+			node->lower[k][i] = INFINITY;
+			node->upper[k][i] = -INFINITY;
+		}
 	}
 	builder->nodeCount += 1;
 	return builder->nodeCount - 1;
 }
 
-/// Makes the node of a task and puts the children that are no leaves onto the stack. @return false when out of memory.
+static void soleSetBox( soleGroundNode* node, int child, const soleBox* box )
+{
+	for ( int k = 0; k < 3; ++k )
+	{
+		node->lower[k][child] = box->lower[k];
+		node->upper[k][child] = box->upper[k];
+	}
+}
+
+/// Makes the node of a task and puts the children that are no leaves onto the stack. Leaves are named by their first
+/// triangle for now. @return false when out of memory.
 static bool soleMakeNode( soleTreeBuilder* builder, const soleTask* task, soleTask* stack, int* stackCount )
 {
-	soleRange children[4];
+	soleRange children[SOLE_GROUND_NODE_SIZE];
 	int count = soleMakeChildren( builder, task, children );
 	for ( int i = 0; i < count; ++i )
 	{
-		uint32_t child = ( (uint32_t)children[i].first << 3 ) | (uint32_t)children[i].count;
-		if ( children[i].count > SOLE_GROUND_LEAF_SIZE )
+		uint32_t child = (uint32_t)children[i].first << 1 | 1u;
+		if ( children[i].count <= SOLE_GROUND_BLOCK_SIZE )
+		{
+			builder->references[children[i].first].leaf = 1;
+		}
+		else
 		{
 			int32_t number = soleAddNode( builder );
 			if ( number == SOLE_NONE )
@@ -292,24 +137,21 @@ static bool soleMakeNode( soleTreeBuilder* builder, const soleTask* task, soleTa
 			}
 			stack[*stackCount] = ( soleTask ){ children[i], number, task->depth + 1 };
 			*stackCount += 1;
-			child = (uint32_t)number << 3;
+			child = (uint32_t)number << 1;
 		}
 		soleGroundNode* node = builder->nodes + task->node;
 		node->children[i] = child;
-		for ( int k = 0; k < 3; ++k )
-		{
-			node->lower[k][i] = children[i].box.lower[k];
-			node->upper[k][i] = children[i].box.upper[k];
-		}
+		soleSetBox( node, i, &children[i].box );
 	}
 	return true;
 }
 
-static bool soleMakeNodes( soleTreeBuilder* builder, int32_t triangleCount )
+static bool soleMakeNodes( soleTreeBuilder* builder )
 {
 	soleTask stack[SOLE_GROUND_STACK_SIZE];
 	int stackCount = 1;
-	stack[0] = ( soleTask ){ soleMakeRange( builder, 0, triangleCount ), soleAddNode( builder ), 0 };
+	stack[0] =
+	    ( soleTask ){ soleMakeRange( builder->references, 0, builder->referenceCount ), soleAddNode( builder ), 0 };
 	if ( stack[0].node == SOLE_NONE )
 	{
 		return false;
@@ -327,53 +169,254 @@ static bool soleMakeNodes( soleTreeBuilder* builder, int32_t triangleCount )
 	return true;
 }
 
-static void soleFillBoxes( const soleGround* ground, soleBox* boxes )
+// ---------------------------------------------------------------------------------------------------------- blocks
+
+/// Gives leaves the numbers of their blocks, in the order of the triangles: neighbours stay neighbours. @return how
+/// many
+static int32_t soleNumberBlocks( soleTreeBuilder* builder )
 {
-	for ( int32_t i = 0; i < ground->triangleCount; ++i )
+	int32_t count = 0;
+	for ( int32_t i = 0; i < builder->referenceCount; ++i )
 	{
-		boxes[i] = soleBox_Empty();
-		for ( int corner = 0; corner < 3; ++corner )
+		count += builder->references[i].leaf != 0 ? 1 : 0;
+		builder->references[i].leaf = (uint32_t)count - 1;
+	}
+	for ( int32_t i = 0; i < builder->nodeCount; ++i )
+	{
+		for ( int k = 0; k < SOLE_GROUND_NODE_SIZE; ++k )
 		{
-			const float* p = ground->vertices + 3 * (size_t)ground->triangles[i].corners[corner];
-			soleBox point = { { p[0], p[1], p[2] }, { p[0], p[1], p[2] } };
-			soleBox_Add( boxes + i, &point );
+			uint32_t* child = builder->nodes[i].children + k;
+			if ( *child != SOLE_GROUND_NONE && ( *child & 1u ) != 0 )
+			{
+				*child = builder->references[*child >> 1].leaf << 1 | 1u;
+			}
+		}
+	}
+	return count;
+}
+
+/// Corners of a block's triangles from the meshes; free places repeat the first.
+static void soleFillBlock( const soleGround* ground, const soleGroundDef* def, soleGroundBlock* block )
+{
+	for ( int lane = 0; lane < SOLE_GROUND_BLOCK_SIZE; ++lane )
+	{
+		uint32_t index = block->indices[lane] != SOLE_GROUND_NONE ? block->indices[lane] : block->indices[0];
+		float corners[3][3];
+		soleReadTriangle( ground, def, index, corners );
+		for ( int i = 0; i < 3; ++i )
+		{
+			for ( int k = 0; k < 3; ++k )
+			{
+				block->corners[i][k][lane] = corners[i][k];
+			}
 		}
 	}
 }
 
-bool soleBuildGroundTree( soleGround* ground )
+static bool soleMakeBlocks( soleGround* ground, const soleGroundDef* def, soleTreeBuilder* builder )
 {
-	if ( ground->triangleCount == 0 )
+	ground->blockCount = soleNumberBlocks( builder );
+	ground->blocks = soleAlloc( builder->allocator, (size_t)ground->blockCount * sizeof *ground->blocks );
+	if ( ground->blocks == NULL )
+	{
+		return false;
+	}
+	for ( int32_t i = 0; i < ground->blockCount; ++i )
+	{
+		for ( int lane = 0; lane < SOLE_GROUND_BLOCK_SIZE; ++lane )
+		{
+			ground->blocks[i].indices[lane] = SOLE_GROUND_NONE;
+		}
+	}
+	int lane = 0;
+	for ( int32_t i = 0; i < builder->referenceCount; ++i )
+	{
+		const soleReference* reference = builder->references + i;
+		lane = i > 0 && reference->leaf == reference[-1].leaf ? lane + 1 : 0;
+		ground->blocks[reference->leaf].indices[lane] = reference->index;
+	}
+	for ( int32_t i = 0; i < ground->blockCount; ++i )
+	{
+		soleFillBlock( ground, def, ground->blocks + i );
+	}
+	return true;
+}
+
+/// Nodes in an array of their own size.
+static bool soleKeepNodes( soleGround* ground, const soleTreeBuilder* builder )
+{
+	size_t bytes = (size_t)builder->nodeCount * sizeof *builder->nodes;
+	ground->nodes = soleAlloc( builder->allocator, bytes );
+	if ( ground->nodes == NULL )
+	{
+		return false;
+	}
+	memcpy( ground->nodes, builder->nodes, bytes );
+	ground->nodeCount = builder->nodeCount;
+	return true;
+}
+
+// -------------------------------------------------------------------------------------------------------- building
+
+/// Whether the three corners are in a line, but for what rounding leaves of that.
+static bool soleHasNoArea( const float corners[3][3] )
+{
+	double edges[3][3];
+	double longest = 0.0;
+	for ( int i = 0; i < 3; ++i )
+	{
+		const float* from = corners[i];
+		const float* to = corners[i == 2 ? 0 : i + 1];
+		for ( int k = 0; k < 3; ++k )
+		{
+			edges[i][k] = (double)to[k] - (double)from[k];
+		}
+		double square = ( edges[i][0] * edges[i][0] + edges[i][1] * edges[i][1] ) + edges[i][2] * edges[i][2];
+		longest = square > longest ? square : longest;
+	}
+	const double* a = edges[0];
+	const double* b = edges[1];
+	double x = a[1] * b[2] - a[2] * b[1];
+	double y = a[2] * b[0] - a[0] * b[2];
+	double z = a[0] * b[1] - a[1] * b[0];
+	// Thinner than 1e-10 of its length: less than the corners' own rounding, so nothing can fall through.
+	return !( ( x * x + y * y ) + z * z > 1e-20 * longest * longest );
+}
+
+static soleBox soleMakeTriangleBox( const float corners[3][3] )
+{
+	soleBox box = soleBox_Empty();
+	for ( int i = 0; i < 3; ++i )
+	{
+		soleBox point;
+		memcpy( point.lower, corners[i], sizeof point.lower );
+		memcpy( point.upper, corners[i], sizeof point.upper );
+		soleBox_Add( &box, &point );
+	}
+	return box;
+}
+
+/// The axis that most of the ground faces.
+static int soleFindMainAxis( const soleGround* ground )
+{
+	double facing[3] = { 0.0, 0.0, 0.0 };
+	for ( int32_t i = 0; i < ground->blockCount; ++i )
+	{
+		const soleGroundBlock* block = ground->blocks + i;
+		for ( int k = 0; k < 3; ++k )
+		{
+			int a = k == 2 ? 0 : k + 1;
+			int b = a == 2 ? 0 : a + 1;
+			for ( int lane = 0; lane < SOLE_GROUND_BLOCK_SIZE && block->indices[lane] != SOLE_GROUND_NONE; ++lane )
+			{
+				double ua = (double)block->corners[1][a][lane] - (double)block->corners[0][a][lane];
+				double ub = (double)block->corners[1][b][lane] - (double)block->corners[0][b][lane];
+				double va = (double)block->corners[2][a][lane] - (double)block->corners[0][a][lane];
+				double vb = (double)block->corners[2][b][lane] - (double)block->corners[0][b][lane];
+				facing[k] += fabs( ua * vb - ub * va );
+			}
+		}
+	}
+	int axis = facing[1] >= facing[0] ? 1 : 0;
+	return facing[2] > facing[axis] ? 2 : axis;
+}
+
+/// All triangles that have an area. @return how many
+static int32_t soleFillReferences(
+    const soleGround* ground, const soleGroundDef* def, int64_t triangleCount, soleReference* references )
+{
+	int32_t count = 0;
+	for ( int64_t i = 0; i < triangleCount; ++i )
+	{
+		float corners[3][3];
+		soleReadTriangle( ground, def, (uint32_t)i, corners );
+		if ( !soleHasNoArea( (const float( * )[3])corners ) )
+		{
+			references[count] = ( soleReference ){ .index = (uint32_t)i };
+			references[count].box = soleMakeTriangleBox( (const float( * )[3])corners );
+			count += 1;
+		}
+	}
+	return count;
+}
+
+bool soleBuildGroundTree( soleGround* ground, const soleGroundDef* def )
+{
+	int64_t triangleCount = 0;
+	for ( int32_t i = 0; i < def->meshCount; ++i )
+	{
+		triangleCount += def->meshes[i].triangleCount;
+	}
+	if ( triangleCount == 0 )
 	{
 		return true;
 	}
-	const soleAllocator* allocator = ground->allocator.alloc != NULL ? &ground->allocator : NULL;
-	size_t boxBytes = (size_t)ground->triangleCount * sizeof( soleBox );
-	soleTreeBuilder builder = {
-		.allocator = allocator,
-		.triangles = ground->triangles,
-		.boxes = soleAlloc( allocator, boxBytes ),
-	};
-	bool done = false;
-	if ( builder.boxes != NULL )
+	soleTreeBuilder builder = { .allocator = ground->allocator.alloc != NULL ? &ground->allocator : NULL };
+	size_t bytes = (size_t)triangleCount * sizeof *builder.references;
+	builder.references = soleAlloc( builder.allocator, bytes );
+	if ( builder.references == NULL )
 	{
-		soleFillBoxes( ground, builder.boxes );
-		done = soleMakeNodes( &builder, ground->triangleCount );
+		return false;
 	}
-	soleFree( allocator, builder.boxes, boxBytes );
+	builder.referenceCount = soleFillReferences( ground, def, triangleCount, builder.references );
+	ground->triangleCount = builder.referenceCount;
+	bool done = builder.referenceCount == 0 ||
+	    ( soleMakeNodes( &builder ) && soleMakeBlocks( ground, def, &builder ) && soleKeepNodes( ground, &builder ) &&
+	        soleMakeColumns( ground, soleFindMainAxis( ground ) ) );
+	soleFree( builder.allocator, builder.references, bytes );
+	soleFree( builder.allocator, builder.nodes, (size_t)builder.nodeCapacity * sizeof *builder.nodes );
+	return done;
+}
 
-	// Kept in an array of its own size.
-	if ( done )
+// ---------------------------------------------------------------------------------------------------------- moving
+
+static soleBox soleGetBlockBox( const soleGroundBlock* block )
+{
+	soleBox box = soleBox_Empty();
+	for ( int lane = 0; lane < SOLE_GROUND_BLOCK_SIZE; ++lane )
 	{
-		size_t bytes = (size_t)builder.nodeCount * sizeof *builder.nodes;
-		ground->nodes = soleAlloc( allocator, bytes );
-		done = ground->nodes != NULL;
-		if ( done )
+		for ( int i = 0; i < 3; ++i )
 		{
-			memcpy( ground->nodes, builder.nodes, bytes );
-			ground->nodeCount = builder.nodeCount;
+			for ( int k = 0; k < 3; ++k )
+			{
+				box.lower[k] = soleMinF( box.lower[k], block->corners[i][k][lane] );
+				box.upper[k] = soleMaxF( box.upper[k], block->corners[i][k][lane] );
+			}
 		}
 	}
-	soleFree( allocator, builder.nodes, (size_t)builder.nodeCapacity * sizeof *builder.nodes );
-	return done;
+	return box;
+}
+
+static soleBox soleGetNodeBox( const soleGroundNode* node )
+{
+	soleBox box = soleBox_Empty();
+	for ( int child = 0; child < SOLE_GROUND_NODE_SIZE; ++child )
+	{
+		for ( int k = 0; k < 3; ++k )
+		{
+			box.lower[k] = soleMinF( box.lower[k], node->lower[k][child] );
+			box.upper[k] = soleMaxF( box.upper[k], node->upper[k][child] );
+		}
+	}
+	return box;
+}
+
+void soleRefitGroundTree( soleGround* ground, const soleGroundDef* def )
+{
+	for ( int32_t i = 0; i < ground->blockCount; ++i )
+	{
+		soleFillBlock( ground, def, ground->blocks + i );
+	}
+	for ( int32_t i = ground->nodeCount - 1; i >= 0; --i )
+	{
+		soleGroundNode* node = ground->nodes + i;
+		for ( int k = 0; k < SOLE_GROUND_NODE_SIZE && node->children[k] != SOLE_GROUND_NONE; ++k )
+		{
+			uint32_t number = node->children[k] >> 1;
+			soleBox box = ( node->children[k] & 1u ) != 0 ? soleGetBlockBox( ground->blocks + number )
+			                                              : soleGetNodeBox( ground->nodes + number );
+			soleSetBox( node, k, &box );
+		}
+	}
+	soleRefitColumns( ground );
 }

@@ -1,0 +1,163 @@
+#!/usr/bin/env bash
+# Measures how fast Sole is beside its peers and writes docs/performance.md with tables, plots, machine and flags. A
+# quarter of an hour; the figures mean most on a machine that does nothing else.
+# usage: ./bench.sh [--quick]
+set -euo pipefail
+cd "$(dirname "$0")"
+export LC_ALL=C
+trap 'echo "bench: stopped at line $LINENO: what went wrong is said above" >&2' ERR
+
+case "$*" in
+	'') options=( --runs 21 ) ;;
+	--quick) options=( --runs 5 --largest 100000 ) ;;
+	*) echo "usage: ./bench.sh [--quick]    --quick: fewer runs, no more than 100,000 triangles" >&2; exit 2 ;;
+esac
+echo "Builds sole_bench, measures every case with all variants in turn, and writes docs/performance.md and its plots."
+
+scripts/setup.sh build bench
+build=build/bench
+mkdir -p $build
+if ! { cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSOLE_BENCH=ON && cmake --build $build --target sole_bench; } \
+	> $build/build.log 2>&1; then
+	cat $build/build.log >&2
+	exit 1
+fi
+bench=$build/bench/sole_bench
+csv=$build/bench.csv
+$bench "${options[@]}" -o $csv
+
+# pivot PATTERN: cases whose names match, a column for each variant, median and (min).
+pivot()
+{
+	awk -F, -v pattern="$1" '
+		NR > 1 && $1 ~ pattern {
+			if ( !( $1 in seenCase ) ) { seenCase[$1] = 1; cases[++caseCount] = $1; unit[$1] = $3 }
+			if ( !( $2 in seenVariant ) ) { seenVariant[$2] = 1; variants[++variantCount] = $2 }
+			value[$1, $2] = $5 == $6 ? sprintf( "%.1f", $5 ) : sprintf( "%.0f (%.0f)", $5, $6 )
+		}
+		END {
+			printf "| case | per |"
+			for ( v = 1; v <= variantCount; ++v ) { printf " %s |", variants[v] }
+			printf "\n|---|---|"
+			for ( v = 1; v <= variantCount; ++v ) { printf "---:|" }
+			for ( c = 1; c <= caseCount; ++c ) {
+				printf "\n| %s | %s |", cases[c], unit[cases[c]]
+				for ( v = 1; v <= variantCount; ++v ) { printf " %s |", value[cases[c], variants[v]] }
+			}
+			print ""
+		}' $csv
+}
+
+# series STEM VARIANT: size and median of cases STEM-SIZE, for plots.
+series()
+{
+	awk -F, -v stem="$1" -v variant="$2" '
+		$2 == variant && index( $1, stem "-" ) == 1 {
+			size = substr( $1, length( stem ) + 2 )
+			if ( size ~ /^[0-9]+[kM]?$/ ) { print size * ( size ~ /M$/ ? 1e6 : ( size ~ /k$/ ? 1e3 : 1 ) ), $5 }
+		}' $csv
+}
+
+# plot FILE XLABEL YLABEL STEM:VARIANT...
+plot()
+{
+	local file=$1 x=$2 y=$3 commands='' part data
+	shift 3
+	for part in "$@"; do
+		data=$build/plot-${part//:/-}.txt
+		series "${part%:*}" "${part#*:}" > "$data"
+		if [ -s "$data" ]; then
+			commands+="${commands:+, }'$data' with linespoints title '${part#*:} ${part%:*}'"
+		fi
+	done
+	gnuplot <<- PLOT
+		set terminal svg size 760,440 font 'sans-serif,12' background 'white'
+		set output '$file'
+		set logscale xy
+		set format x '%.0s%c'
+		set xlabel '$x'
+		set ylabel '$y'
+		set key outside right
+		set grid
+		plot $commands
+	PLOT
+}
+
+# stages: what each stage of a solve takes, in instructions, most of which are in functions of the stage's own name.
+stages()
+{
+	local names
+	names=$( sed -n 's/^void \(sole[A-Za-z]*\)( solePlaceWork\* work.*/\1/p' src/place/place.h | sort -u )
+	valgrind --tool=callgrind --callgrind-out-file=$build/solve.callgrind --toggle-collect=benchCounted \
+		$bench --count biped-solve > $build/solve.log 2>&1
+	callgrind_annotate --inclusive=yes --threshold=100 $build/solve.callgrind | awk -v names="$names" '
+		BEGIN { n = split( names, list ); for ( i = 1; i <= n; ++i ) { wanted[list[i]] = 1 } }
+		match( $0, /:sole[A-Za-z]*/ ) {
+			name = substr( $0, RSTART + 1, RLENGTH - 1 )
+			if ( name in wanted && !( name in seen ) ) {
+				seen[name] = 1
+				gsub( /,/, "", $1 )
+				printf "| %s | %.0f |\n", name, $1 / 256
+			}
+		}'
+}
+
+machine=$( sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1 )
+flags=$( grep -o '"command": ".*src/ground/walk.c' $build/compile_commands.json 2> /dev/null | grep -o ' -[OfD][^ ]*' | tr -d '\n' || true )
+
+writePage()
+{
+	cat <<- TEXT
+		<!-- Made by ./bench.sh: change that, not this. -->
+		# How fast it is
+
+		Nanoseconds, median and (least) of all runs. Variants of a case are taken in turn in one process, so ratios
+		within a line hold better than figures do from machine to machine. Measured on $machine, $( nproc )
+		cores, one in use; gcc $( gcc -dumpfullversion ),$flags.
+
+		Not all that is wished for is reached: [design-reasons.md](design-reasons.md) says what limits it.
+
+		## Ground
+
+		Straight down, from a metre over the ground to a metre below, over rolling ground of so many triangles of a
+		quarter of a metre; answers with point and normal. "In order" are the same questions sorted along a Z curve.
+		\`sole\` is asked one by one, \`sole-batch\` 40 at once by \`soleCastProbes()\`. \`five-rays\` are five under one
+		foot, asked at once. Spheres have a radius of 0.1 m. \`ray-field\` is a height field of as many triangles. Peers
+		are those that Debian has: Embree (robust; one ray, or five of a packet of eight), ODE and Bullet (without their
+		broad phases).
+
+		$( pivot '^(ray|five|sphere)-' )
+
+		![Cost of a question against triangles](performance-triangles.svg)
+
+		Building, and memory beyond the mesh itself (12 bytes a vertex, 12 a triangle):
+
+		$( pivot '^(build|memory)-[0-9]' )
+
+		## A frame
+
+		One biped, the mannequin on its walk, with hits taken beforehand; beside the systems that Sole is compared with,
+		which do much less. Then crowds by the same calls one after another: root on the ground, gather, cast into
+		100,000 triangles, solve, apply.
+
+		$( pivot '^biped-' )
+
+		$( pivot '^(crowd|memory-biped)' )
+
+		![Cost of a character against characters](performance-characters.svg)
+
+		Where a solve goes, in instructions a character (a stage with what it calls):
+
+		| stage | instructions |
+		|---|---:|
+		$( stages )
+	TEXT
+}
+
+plot docs/performance-triangles.svg triangles 'ns a question' ray-scattered:sole ray-scattered:sole-batch ray-scattered:embree ray-scattered:ode \
+	ray-scattered:bullet five-rays:sole five-rays:embree sphere-scattered:sole sphere-scattered:bullet ray-field:sole
+plot docs/performance-characters.svg characters 'ns a character' crowd:sole-calls
+# Here documents keep the indentation of what is put into them: tables stand at the margin.
+writePage | sed 's/^[ \t]*//' > $build/performance.md
+cp $build/performance.md docs/performance.md
+echo "Written: docs/performance.md, docs/performance-triangles.svg, docs/performance-characters.svg, $csv"
