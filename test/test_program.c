@@ -195,6 +195,36 @@ static void everySampleIsWritten( void** state )
 	testEnd( &run );
 }
 
+static void samplesAreListedAsJsonWithTheirWays( void** state )
+{
+	(void)state;
+	testRun run = testGood( "sample --list --json" );
+	struct json_object* list = json_tokener_parse( run.out );
+	assert_non_null( list );
+	size_t count = json_object_array_length( list );
+	testRun plain = testGood( "sample --list" );
+	const char* line = plain.out;
+	for ( size_t i = 0; i < count; ++i, line = strchr( line, '\n' ) + 1 )
+	{
+		struct json_object* sample = json_object_array_get_idx( list, i );
+		const char* name = json_object_get_string( json_object_object_get( sample, "name" ) );
+		const char* text = json_object_get_string( json_object_object_get( sample, "text" ) );
+		assert_int_equal( strncmp( line, name, strlen( name ) ), 0 );
+		assert_non_null( strstr( line, text ) );
+		if ( strcmp( name, "stairs" ) == 0 )
+		{
+			struct json_object* path = json_object_object_get( sample, "path" );
+			assert_int_equal( json_object_array_length( path ), 2 );
+			struct json_object* last = json_object_array_get_idx( path, 1 );
+			assert_float_equal( (float)json_object_get_double( json_object_array_get_idx( last, 1 ) ), 8.46f, 1e-5f );
+		}
+	}
+	assert_int_equal( *line, '\0' );
+	json_object_put( list );
+	testEnd( &plain );
+	testEnd( &run );
+}
+
 // Checks that a path such as "legs[].sole.heel" is there, in every item of a list, which must not be empty.
 static void testHas( const char* what, struct json_object* object, const char* path )
 {
@@ -801,6 +831,7 @@ int main( void )
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test( theProgramExplainsItself ),
 		cmocka_unit_test( everySampleIsWritten ),
+		cmocka_unit_test( samplesAreListedAsJsonWithTheirWays ),
 		cmocka_unit_test( inspectSaysWhatItPromises ),
 		cmocka_unit_test( measureAgreesWithBake ),
 		cmocka_unit_test( aTableHasARowForEachGroundMethodAndRate ),

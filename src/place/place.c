@@ -123,6 +123,18 @@ static void soleRunStages( solePlaceWork* work, const soleHit* hits, int32_t hit
 	soleWritePelvis( work );
 }
 
+void soleRunFrame( solePlaceWork* work, const soleHit* hits, int32_t hitCount )
+{
+	soleSetUpFrame( work );
+	solePassThrough( work->rig, work->frame, work->second, work->out );
+	soleRunStages( work, hits, hitCount > 0 ? hitCount : 0 );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		work->out->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
+	}
+	soleScrubOutput( work->rig, work->out );
+}
+
 int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, const soleState* state,
     const soleFrame* frame, soleProbe* probes, int32_t capacity )
 {
@@ -169,16 +181,9 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	soleTakeState( rig, frame, state );
 	soleSettings clean = soleCleanSettings( settings );
 	solePlaceWork work = { .rig = rig, .settings = &clean, .frame = frame, .state = state, .out = output };
-	soleSetUpFrame( &work );
-	solePassThrough( rig, frame, work.second, output );
-	soleRunStages( &work, hits, hitCount > 0 ? hitCount : 0 );
-	for ( int32_t i = 0; i < rig->legCount; ++i )
-	{
-		output->legs[i].flags |= work.legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
-	}
+	soleRunFrame( &work, hits, hitCount );
 	state->root_w = work.root_w;
 	state->frameCount = work.first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
-	soleScrubOutput( rig, output );
 }
 
 void soleBlendSecondPose(

@@ -162,6 +162,16 @@ typedef struct soleLegWork
 	soleQuat footReached; // footTarget with the heel raised
 } soleLegWork;
 
+/// What the legs allow the pelvis, over the body's ground.
+typedef struct soleBounds
+{
+	float ceiling; // no leg is longer than is good, no heel raised that was not
+	float landing; // no leg that comes down will be, as far as it is on its way
+	float most;    // no leg is longer than it can be with its heel raised
+	float floor;
+	bool any;
+} soleBounds;
+
 /// One character during a frame.
 typedef struct solePlaceWork
 {
@@ -181,6 +191,7 @@ typedef struct solePlaceWork
 	bool first;            // nothing is remembered
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
+	soleBounds bounds;
 	float pelvisShift; // along up
 	float second;      // weight of the second pose in this frame
 	float weight;      // of the whole: the largest of the legs'
@@ -312,6 +323,9 @@ bool soleIsFrameUsable( const soleFrame* frame );
 void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );
 /// Fills in what all stages share. Forgets everything after a jump.
 void soleSetUpFrame( solePlaceWork* work );
+
+/// A whole frame: rig, clean settings, usable frame, taken state and output are given, all else is left filled in.
+void soleRunFrame( solePlaceWork* work, const soleHit* hits, int32_t hitCount );
 
 /// Moves what legs remember with the bodies that they stand on; keeps those bodies for the next frame.
 void soleCarryLegs( solePlaceWork* work );
