@@ -70,6 +70,7 @@ check docs
 check version
 check install
 check glb
+check wasm
 if [ $quick = no ]; then
 	check tidy
 fi
