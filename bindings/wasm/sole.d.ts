@@ -46,10 +46,14 @@ export interface Sole {
 	label(motion: Motion, limits?: LabelLimits): Uint8Array;
 	/** The steps of a motion over flat ground; of one that loops give three rounds. */
 	findSteps(motion: Motion, labels: Uint8Array, loops?: boolean): Step[];
+	/** Steps of a clip, for Steps.tell(). */
+	createSteps(steps: readonly Step[], clip: { duration: number; loops?: boolean }): Steps;
 	measure(parts: MeasureParts): Figures;
 
-	/** What Character.draw() shows. Debug module only, as is the next. */
+	/** What Character.draw() shows. Debug module only, as are the next two. */
 	readonly drawInfos: readonly { category: number; name: string; text: string }[];
+	/** @param capacity bytes of the longest trace. default 16 MiB */
+	createTracer(character: Character, capacity?: number): Tracer;
 	replayTrace(bytes: Uint8Array): TraceReport;
 }
 
@@ -328,6 +332,8 @@ export interface Character {
 	readonly contact: Float32Array;
 	/** View, 11 numbers per leg: since, until, place, forward, travel. since below zero: not known. */
 	readonly steps: Float32Array;
+	/** Nothing is known of contact and steps. */
+	forgetSteps(): void;
 	/** Bodies that move and that feet may stand on. */
 	setSupports(supports: readonly { surface: number; translation: Vector; rotation: Numbers }[]): void;
 
@@ -473,6 +479,17 @@ export interface Step {
 	forward: number[];
 }
 
+/** What a game knows of its clip beforehand, frame by frame. */
+export interface Steps {
+	readonly count: number;
+	/**
+	 * Fills in contact and steps of a character's frame. The root is taken to go on as it goes: velocity along the
+	 * floor and turnRate about up, as seen from itself, in character units and radians a second.
+	 */
+	tell(character: Character, now: { time: number; rate?: number; velocity: Vector; turnRate?: number }): void;
+	dispose(): void;
+}
+
 export interface MeasureParts {
 	motion: Motion;
 	/** The same frames without foot placement. */
@@ -517,6 +534,15 @@ export interface Figures {
 	deviation: number;
 	pelvisOffsetRms: number;
 	pelvisOffsetMax: number;
+}
+
+/** Records one character from now on. */
+export interface Tracer {
+	/** Instead of the character's own solve(): the same, recorded. */
+	solve(): void;
+	/** The whole trace; nothing can be recorded after it. */
+	finish(): Uint8Array;
+	dispose(): void;
 }
 
 export interface TraceReport {
