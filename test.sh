@@ -71,6 +71,7 @@ check version
 check install
 check glb
 check wasm
+check viewer
 if [ $quick = no ]; then
 	check tidy
 fi

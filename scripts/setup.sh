@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what Sole's scripts need on Debian 12 and does nothing where all of it is there.
-# usage: scripts/setup.sh PURPOSE...    purposes: build, test, wasm
+# usage: scripts/setup.sh PURPOSE...    purposes: build, test, viewer, wasm
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -40,9 +40,16 @@ needWasm()
 	need npm npm
 }
 
+needViewer()
+{
+	needBuild
+	needWasm
+}
+
 needTest()
 {
-	needWasm
+	needViewer
+	need chromium chromium
 	need g++ g++
 	need libclang-rt-14-dev
 	need clang-format-14 clang-format-14
@@ -87,20 +94,21 @@ installNodePackages()
 }
 
 if [ $# -eq 0 ]; then
-	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test, wasm" >&2
+	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test, viewer, wasm" >&2
 	exit 2
 fi
 for purpose in "$@"; do
 	case $purpose in
 		build) needBuild ;;
 		test) needTest ;;
+		viewer) needViewer ;;
 		wasm) needWasm ;;
-		*) echo "setup: there is no purpose '$purpose': use build, test or wasm" >&2; exit 2 ;;
+		*) echo "setup: there is no purpose '$purpose': use build, test, viewer or wasm" >&2; exit 2 ;;
 	esac
 done
 installMissing
 for purpose in "$@"; do
-	if [ "$purpose" = test ] || [ "$purpose" = wasm ]; then
+	if [ "$purpose" != build ]; then
 		installNodePackages
 	fi
 done
