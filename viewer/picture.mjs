@@ -3,7 +3,7 @@
 // usage: node viewer/picture.mjs FILE
 import { openBrowser, openPage } from './page.mjs';
 
-const query = 'manual=1&scene=T02&clip=walk&method=both&time=4.3&panel=settings' +
+const query = 'scene=T02&clip=walk&method=both&time=2.3&panel=settings' +
 	'&show=placed legs,support plane,locks,footholds,targets&set=pelvis.hold:0.6';
 const host = await openBrowser();
 const { page } = await openPage( host, query, { deviceScaleFactor: 1 } );

@@ -110,7 +110,6 @@ export class GroundShape
 		geometry.computeVertexNormals();
 		this.mesh = new THREE.Mesh( geometry, material );
 		this.mesh.receiveShadow = true;
-		this.mesh.castShadow = true;
 		this.box.setFromBufferAttribute( geometry.getAttribute( 'position' ) as THREE.BufferAttribute );
 		this.path = path !== undefined && path.length > 1 ? path : findWay( this.box );
 	}
