@@ -71,6 +71,10 @@ function makeMaterial(): THREE.MeshStandardMaterial
 }
 
 const material = makeMaterial();
+const edgeMaterial = new THREE.LineBasicMaterial( { transparent: true, opacity: 0.4 } );
+onTheme( ( theme ) => edgeMaterial.color.set( theme === 'dark' ? 0xd5dbe4 : 0x3a424e ) );
+const EDGE_ANGLE = 25; // degrees between faces
+const MOST_EDGED = 12000; // triangles: more are terrain, whose edges are no steps
 
 /// A straight way along the longer side of a ground.
 function findWay( box: THREE.Box3 ): [ number, number ][]
@@ -99,7 +103,7 @@ export class GroundShape
 		const { positions, indices } = collectTriangles( object );
 		if ( indices.length === 0 )
 		{
-			throw new Error( `${name}: has no triangles to walk on.` );
+			throw new Error( `${name}: has neither a skinned character nor triangles to walk on.` );
 		}
 		this.twoSided = path === undefined;
 		this.positions = positions;
@@ -110,6 +114,10 @@ export class GroundShape
 		geometry.computeVertexNormals();
 		this.mesh = new THREE.Mesh( geometry, material );
 		this.mesh.receiveShadow = true;
+		if ( indices.length < 3 * MOST_EDGED )
+		{
+			this.mesh.add( new THREE.LineSegments( new THREE.EdgesGeometry( geometry, EDGE_ANGLE ), edgeMaterial ) );
+		}
 		this.box.setFromBufferAttribute( geometry.getAttribute( 'position' ) as THREE.BufferAttribute );
 		this.path = path !== undefined && path.length > 1 ? path : findWay( this.box );
 	}
@@ -117,7 +125,7 @@ export class GroundShape
 	/// The place of the ground under a ray of the page.
 	pick( caster: THREE.Raycaster ): THREE.Vector3 | null
 	{
-		const hit = caster.intersectObject( this.mesh )[ 0 ];
+		const hit = caster.intersectObject( this.mesh, false )[ 0 ];
 		return hit?.point ?? null;
 	}
 
@@ -125,6 +133,7 @@ export class GroundShape
 	{
 		this.mesh.removeFromParent();
 		this.mesh.geometry.dispose();
+		this.mesh.children.forEach( ( edges ) => ( edges as THREE.LineSegments ).geometry.dispose() );
 	}
 }
 
