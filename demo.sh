@@ -32,4 +32,4 @@ find out -maxdepth 1 -type f \( -name demo.glb -o -name '*.svg' \) -newer build/
 echo
 echo "out/demo.glb holds the character, the ground and both clips (NAME|none and NAME|sole): open it in any glTF viewer"
 echo "and switch between them. The SVG files plot the height of each foot over the ground: open them in a browser."
-echo "More: $sole --help"
+echo "More: $sole --help; and in the browser, to tune it: npm run viewer (docs/viewer.md)"

@@ -71,6 +71,8 @@ check version
 check install
 check glb
 check instructions
+check wasm
+check viewer
 if [ $quick = no ]; then
 	check tidy
 fi

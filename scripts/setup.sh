@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what Sole's scripts need on Debian 12 and does nothing where all of it is there.
-# usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench
+# usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench, viewer, wasm
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -28,18 +28,34 @@ needBuild()
 	need libjson-c-dev
 }
 
-needTest()
+needWasm()
 {
-	need g++ g++
 	need clang-14 clang-14
 	need llvm-14
+	need lld-14
+	need wasi-libc
+	need libclang-rt-14-dev-wasm32
+	need binaryen wasm-opt
+	need nodejs node
+	need npm npm
+}
+
+needViewer()
+{
+	needBuild
+	needWasm
+}
+
+needTest()
+{
+	needViewer
+	need chromium chromium
+	need g++ g++
 	need libclang-rt-14-dev
 	need clang-format-14 clang-format-14
 	need clang-tidy-14 clang-tidy-14
 	need libcmocka-dev
 	need valgrind valgrind
-	need nodejs node
-	need npm npm
 }
 
 # What Sole is compared with is installed for the comparison alone.
@@ -89,7 +105,7 @@ installNodePackages()
 }
 
 if [ $# -eq 0 ]; then
-	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench" >&2
+	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench, viewer, wasm" >&2
 	exit 2
 fi
 for purpose in "$@"; do
@@ -97,12 +113,14 @@ for purpose in "$@"; do
 		build) needBuild ;;
 		test) needTest ;;
 		bench) needBench ;;
-		*) echo "setup: there is no purpose '$purpose': use build, test or bench" >&2; exit 2 ;;
+		viewer) needViewer ;;
+		wasm) needWasm ;;
+		*) echo "setup: there is no purpose '$purpose': use build, test, bench, viewer or wasm" >&2; exit 2 ;;
 	esac
 done
 installMissing
 for purpose in "$@"; do
-	if [ "$purpose" = test ]; then
+	if [ "$purpose" != build ]; then
 		installNodePackages
 	fi
 done

@@ -37,7 +37,9 @@ static void toolStepSole( void* user, const toolMethodStep* step )
 	int32_t count =
 	    soleGatherProbes( rig, step->settings, &memory->state, step->frame, memory->probes, SOLE_MAX_PROBES );
 	soleCastProbes( step->ground, memory->probes, count, memory->hits );
+	soleTracer_BeginFrame( step->tracer, step->settings, &memory->state, step->frame, memory->hits, count );
 	soleSolve( rig, step->settings, &memory->state, step->frame, memory->hits, count, &memory->output );
+	soleTracer_EndFrame( step->tracer, &memory->state, &memory->output );
 	soleApply( rig, &memory->output, step->pose );
 	for ( int32_t i = 0; i < memory->output.legCount; ++i )
 	{
@@ -128,6 +130,7 @@ static void toolStepFrame( const toolCharacter* character, const toolBoundClip* 
 		.ground = ground,
 		.settings = def->settings,
 		.frame = &frame,
+		.tracer = def->tracer,
 		.pose = result->output + i * joints,
 		.flags = result->flags + i * legs,
 		.plantWeights = result->plantWeights + i * legs,

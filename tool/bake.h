@@ -5,6 +5,8 @@
 
 #include "walker.h"
 
+#include "sole/trace.h"
+
 /// What one step of a method gets and gives.
 typedef struct toolMethodStep
 {
@@ -12,6 +14,7 @@ typedef struct toolMethodStep
 	const soleGround* ground;
 	const soleSettings* settings;
 	const soleFrame* frame;
+	soleTracer* tracer;     // what method "sole" records its frames with, or NULL
 	soleTransform* pose;    // a copy of the frame's pose, to be changed
 	uint32_t* flags;        // per leg, soleLegFlags; zeroed
 	float* plantWeights;    // per leg; zeroed
@@ -40,6 +43,7 @@ typedef struct toolBakeDef
 {
 	const toolMethod* method;
 	const soleSettings* settings;
+	soleTracer* tracer;     // made from the character's rig definition; NULL: nothing is recorded
 	const char* groundName; // for messages
 	/// As in toolWalkDef.
 	const toolPlace* path;

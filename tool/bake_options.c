@@ -21,6 +21,7 @@ enum
 	tool_optionMethod,
 	tool_optionSettings,
 	tool_optionPlots,
+	tool_optionTrace,
 	tool_optionPrintSettings,
 	tool_optionScale,
 	tool_optionWithGround,
@@ -38,6 +39,7 @@ static const struct option toolOptions[] = {
 	{ "fps", required_argument, NULL, tool_optionFps },
 	{ "method", required_argument, NULL, tool_optionMethod },
 	{ "settings", required_argument, NULL, tool_optionSettings },
+	{ "trace", required_argument, NULL, tool_optionTrace },
 	{ "plots", required_argument, NULL, tool_optionPlots },
 	{ "print-settings", no_argument, NULL, tool_optionPrintSettings },
 	{ "scale", required_argument, NULL, tool_optionScale },
@@ -72,6 +74,7 @@ static const char toolHelp[] =
     "  --print-settings    print the settings that would be used, and stop\n"
     "  --scale X           make the character X times as large; 'auto': human sized by its legs (default 1)\n"
     "  --plots FOLDER      write SVG pictures there: sole heights of each foot, and the character on its way\n"
+    "  --trace FILE        record all that goes into method sole and comes out, for 'sole replay'\n"
     "  --with-ground       add the ground to the scene\n"
     "  --json              print what was done as JSON\n"
     "\n"
@@ -168,6 +171,9 @@ static const char* toolReadOption( int option, const char* text, toolBakeOptions
 	case tool_optionPlots:
 		options->plots = text;
 		return NULL;
+	case tool_optionTrace:
+		options->trace = text;
+		return NULL;
 	case tool_optionPrintSettings:
 		options->printSettings = true;
 		return NULL;
@@ -182,6 +188,21 @@ static const char* toolReadOption( int option, const char* text, toolBakeOptions
 	default:
 		return toolReadNumberOption( option, text, options );
 	}
+}
+
+// A trace is of one run of method sole.
+static const char* toolCheckTrace( const toolBakeOptions* options )
+{
+	bool found = options->methodCount == 0;
+	for ( int32_t i = 0; i < options->methodCount; ++i )
+	{
+		found = found || options->methods[i] == toolFindMethod( "sole" );
+	}
+	if ( found == false )
+	{
+		return "--trace records method sole, which is not among the methods";
+	}
+	return options->clipCount > 1 ? "--trace records one clip" : NULL;
 }
 
 static const char* toolCheckOptions( const toolBakeOptions* options, int rest )
@@ -202,7 +223,8 @@ static const char* toolCheckOptions( const toolBakeOptions* options, int rest )
 	{
 		return "-o is missing: where to write";
 	}
-	return toolCheckWayOptions( &options->way );
+	const char* wrong = options->trace != NULL ? toolCheckTrace( options ) : NULL;
+	return wrong != NULL ? wrong : toolCheckWayOptions( &options->way );
 }
 
 static int toolPrintSettings( const toolBakeOptions* options )

@@ -20,6 +20,7 @@ typedef struct toolBakeOptions
 	const char* clipsFile;
 	const char* settingsFile;
 	const char* plots; // folder
+	const char* trace;
 	const char** clips;
 	int32_t clipCount;
 	const toolMethod** methods;

@@ -6,6 +6,7 @@
 #include "evaluate.h"
 #include "figures_text.h"
 #include "plots.h"
+#include "trace_file.h"
 
 #include <json-c/json.h>
 #include <math.h>
@@ -22,6 +23,7 @@ typedef struct toolBakeJob
 	toolGroundSource ground;
 	soleTerrain* terrain;
 	soleSettings settings;
+	toolTraceFile trace;
 	toolClip* made;
 	int32_t madeCount;
 	struct json_object* report;
@@ -63,7 +65,8 @@ static bool toolOpenJob( toolBakeJob* job, toolError* error )
 		return false;
 	}
 	return toolOpenJobCharacter( job, error ) && toolOpenGround( job->options.ground, &job->ground, error ) &&
-	    toolMakeTerrain( &job->ground, &job->terrain, error );
+	    toolMakeTerrain( &job->ground, &job->terrain, error ) &&
+	    ( job->options.trace == NULL || toolStartTrace( &job->character.rigDef, &job->trace, error ) );
 }
 
 static void toolCloseJob( toolBakeJob* job )
@@ -74,6 +77,7 @@ static void toolCloseJob( toolBakeJob* job )
 	}
 	free( job->made );
 	json_object_put( job->report );
+	toolFreeTrace( &job->trace );
 	toolFreeCharacter( &job->character );
 	toolFreeGltf( job->gltf );
 	toolFreeGltf( job->clipsGltf );
@@ -226,6 +230,7 @@ static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolE
 	for ( int32_t i = 0; i < options->methodCount && good; ++i )
 	{
 		def.method = options->methods[i];
+		def.tracer = def.method == toolFindMethod( "sole" ) ? job->trace.tracer : NULL;
 		good = toolCheckNameFree( job, bound->clip->name, def.method->name, error ) &&
 		    toolBakeMethod( job, bound, &travel, &def, takes + i, error );
 	}
@@ -290,7 +295,8 @@ static bool toolWriteBake( toolBakeJob* job, toolError* error )
 			return false;
 		}
 	}
-	return toolWriteGltf( job->gltf, job->options.output, error );
+	return ( job->options.trace == NULL || toolWriteTrace( &job->trace, job->options.trace, error ) ) &&
+	    toolWriteGltf( job->gltf, job->options.output, error );
 }
 
 int toolRunBake( int argc, char** argv )

@@ -5,18 +5,23 @@
 #include "source.h"
 
 #include <getopt.h>
+#include <json-c/json.h>
 
 static const char toolHelp[] = "usage: sole sample NAME -o FILE.glb\n"
-                               "       sole sample --list\n"
+                               "       sole sample --list [--json]\n"
                                "\n"
                                "Writes an embedded sample: a character to place, or a ground to walk on.\n"
                                "\n"
                                "  -o, --output FILE   where to write, .glb or .gltf\n"
-                               "  --list              print the names of all samples\n";
+                               "  --list              print the names of all samples\n"
+                               "  --json              as JSON, with the way that each ground is meant to be walked\n";
+
+#define CHARACTER "mannequin"
+#define CHARACTER_TEXT "a skinned figure with clips: idle, walk, run, turn, strafe, crouch"
 
 static void toolListSamples( void )
 {
-	puts( "mannequin    a skinned figure with clips: idle, walk, run, turn, strafe, crouch" );
+	printf( "%-12s %s\n", CHARACTER, CHARACTER_TEXT );
 	int32_t count;
 	const char* const* ids = soleGetSceneIds( &count );
 	for ( int32_t i = 0; i < count; ++i )
@@ -28,6 +33,52 @@ static void toolListSamples( void )
 			soleFreeScene( &scene );
 		}
 	}
+}
+
+static struct json_object* toolDescribeSample( const char* name, const char* kind, const char* text )
+{
+	struct json_object* sample = json_object_new_object();
+	json_object_object_add( sample, "name", json_object_new_string( name ) );
+	json_object_object_add( sample, "kind", json_object_new_string( kind ) );
+	json_object_object_add( sample, "text", json_object_new_string( text ) );
+	return sample;
+}
+
+static struct json_object* toolDescribeScene( const soleScene* scene )
+{
+	struct json_object* sample = toolDescribeSample( scene->id, "ground", scene->name );
+	json_object_object_add( sample, "triangles", json_object_new_int( scene->triangleCount ) );
+	// More than one: parts that move, of which a file holds where they are at time 0.
+	json_object_object_add( sample, "pieces", json_object_new_int( scene->pieceCount ) );
+	struct json_object* path = json_object_new_array();
+	for ( int32_t i = 0; i < scene->pathCount; ++i )
+	{
+		struct json_object* corner = json_object_new_array();
+		json_object_array_add( corner, json_object_new_double( (double)scene->path[i][0] ) );
+		json_object_array_add( corner, json_object_new_double( (double)scene->path[i][1] ) );
+		json_object_array_add( path, corner );
+	}
+	json_object_object_add( sample, "path", path );
+	return sample;
+}
+
+static void toolPrintSamples( void )
+{
+	struct json_object* list = json_object_new_array();
+	json_object_array_add( list, toolDescribeSample( CHARACTER, "character", CHARACTER_TEXT ) );
+	int32_t count;
+	const char* const* ids = soleGetSceneIds( &count );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleScene scene;
+		if ( soleMakeScene( ids[i], &scene ) )
+		{
+			json_object_array_add( list, toolDescribeScene( &scene ) );
+			soleFreeScene( &scene );
+		}
+	}
+	puts( json_object_to_json_string_ext( list, JSON_C_TO_STRING_PRETTY ) );
+	json_object_put( list );
 }
 
 // A file of the sample, or NULL.
@@ -57,10 +108,13 @@ int toolRunSample( int argc, char** argv )
 	static const struct option options[] = {
 		{ "output", required_argument, NULL, 'o' },
 		{ "list", no_argument, NULL, 'l' },
+		{ "json", no_argument, NULL, 'j' },
 		{ "help", no_argument, NULL, 'h' },
 		{ NULL, 0, NULL, 0 },
 	};
 	const char* output = NULL;
+	bool list = false;
+	bool json = false;
 	optind = 1;
 	opterr = 0;
 	int option;
@@ -72,14 +126,22 @@ int toolRunSample( int argc, char** argv )
 			output = optarg;
 			break;
 		case 'l':
-			toolListSamples();
-			return tool_done;
+			list = true;
+			break;
+		case 'j':
+			json = true;
+			break;
 		case 'h':
 			fputs( toolHelp, stdout );
 			return tool_done;
 		default:
 			return toolReportUsage( "sample", "an option is unknown or lacks its value" );
 		}
+	}
+	if ( list )
+	{
+		json ? toolPrintSamples() : toolListSamples();
+		return tool_done;
 	}
 	if ( argc - optind != 1 || output == NULL )
 	{

@@ -33,6 +33,7 @@ int toolRunMeasure( int argc, char** argv );
 int toolRunMeasureTable( int argc, char** argv );
 int toolRunCompare( int argc, char** argv );
 int toolRunLabel( int argc, char** argv );
+int toolRunReplay( int argc, char** argv );
 int toolRunSettings( int argc, char** argv );
 
 #endif

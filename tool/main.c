@@ -18,6 +18,7 @@ static const toolCommand toolCommands[] = {
 	{ "measure", "prints how well the feet of a clip stand on a ground", toolRunMeasure },
 	{ "compare", "prints the figures of all methods side by side", toolRunCompare },
 	{ "label", "prints when which foot is in contact, per clip", toolRunLabel },
+	{ "replay", "plays a recorded trace and compares it bit by bit", toolRunReplay },
 	{ "settings", "lists every tunable with its unit, range and default", toolRunSettings },
 	{ NULL, NULL, NULL },
 };

@@ -27,16 +27,6 @@
 #define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
 #define LANDING_SHARE 1.6f // the pelvis is ready for a foot that comes down after 1 / 1.6 of its way
 
-/// What the legs allow, over the body's ground.
-typedef struct soleBounds
-{
-	float ceiling; // no leg is longer than is good, no heel raised that was not
-	float landing; // no leg that comes down will be, as far as it is on its way
-	float most;    // no leg is longer than it can be with its heel raised
-	float floor;
-	bool any;
-} soleBounds;
-
 /// Offset at which the hip is this far from a target.
 static float soleOffsetFor( const solePlaceWork* work, const soleLegWork* leg, soleVec3 target, float length )
 {
@@ -250,6 +240,7 @@ void soleMovePelvis( solePlaceWork* work )
 	soleKeepBalance( work, legLength );
 	float over = work->bodyGround - work->reference;
 	soleBounds bounds = soleFindBounds( work, over );
+	work->bounds = bounds;
 	float goal = soleChooseOffset( bounds, MARGIN * legLength );
 	goal = soleClampF( goal, -s->pelvis.down * legLength, s->pelvis.up * legLength );
 	goal = soleHoldGoal( work, goal, legLength );

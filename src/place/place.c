@@ -151,24 +151,41 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 	soleScrubOutput( rig, output );
 }
 
+void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+    const soleFrame* frame, const soleLegHits* hits, soleOutput* output )
+{
+	solePassThrough( rig, frame, 0.0f, output );
+	soleBeginFrame( work, rig, settings, state, frame, output );
+	if ( work->second > 0.0f )
+	{
+		solePassThrough( rig, frame, work->second, output );
+	}
+	soleRunStages( work, hits );
+	for ( int32_t i = 0; i < rig->legCount; ++i )
+	{
+		output->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
+	}
+	soleScrubOutput( rig, output );
+}
+
 void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
     const soleLegHits* hits, soleOutput* output )
 {
-	solePassThrough( rig, frame, 0.0f, output );
 	solePlaceWork work;
-	soleBeginFrame( &work, rig, settings, state, frame, output );
-	if ( work.second > 0.0f )
-	{
-		solePassThrough( rig, frame, work.second, output );
-	}
-	soleRunStages( &work, hits );
-	for ( int32_t i = 0; i < rig->legCount; ++i )
-	{
-		output->legs[i].flags |= work.legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
-	}
+	soleRunFrame( &work, rig, settings, state, frame, hits, output );
 	state->root_w = work.root_w;
 	state->frameCount = work.first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
-	soleScrubOutput( rig, output );
+}
+
+soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount )
+{
+	soleLegHits byLeg = { .hits = hits };
+	int32_t perLeg = soleProbesPerLeg( settings );
+	for ( int32_t i = 0; i <= rig->legCount; ++i )
+	{
+		byLeg.starts[i] = soleMinI( i * perLeg, hits != NULL && hitCount > 0 ? hitCount : 0 );
+	}
+	return byLeg;
 }
 
 // -------------------------------------------------------------------------------------------------- one character
@@ -214,12 +231,7 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	}
 	soleSettings scratch;
 	const soleSettings* clean = soleCleanSettings( rig, settings, &scratch );
-	soleLegHits byLeg = { .hits = hits };
-	int32_t perLeg = soleProbesPerLeg( clean );
-	for ( int32_t i = 0; i <= rig->legCount; ++i )
-	{
-		byLeg.starts[i] = soleMinI( i * perLeg, hitCount > 0 ? hitCount : 0 );
-	}
+	soleLegHits byLeg = soleSplitHits( rig, clean, hits, hitCount );
 	soleSolveFrame( rig, clean, state, frame, &byLeg, output );
 }
 

@@ -169,6 +169,16 @@ typedef struct soleLegWork
 	soleQuat footReached; // footTarget with the heel raised
 } soleLegWork;
 
+/// What the legs allow the pelvis, over the body's ground.
+typedef struct soleBounds
+{
+	float ceiling; // no leg is longer than is good, no heel raised that was not
+	float landing; // no leg that comes down will be, as far as it is on its way
+	float most;    // no leg is longer than it can be with its heel raised
+	float floor;
+	bool any;
+} soleBounds;
+
 /// One character during a frame.
 typedef struct solePlaceWork
 {
@@ -189,6 +199,7 @@ typedef struct solePlaceWork
 	bool first;            // nothing is remembered
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
+	soleBounds bounds;     // of the pelvis
 	soleVec3 pelvisWanted; // by how much it should move
 	float pelvisShift;     // how far it does along up
 	float second;          // weight of the second pose in this frame
@@ -328,7 +339,12 @@ typedef struct soleLegHits
 /// changed; the output is written to by stages.
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out );
-/// The rest of a frame. Settings in their ranges, a frame that is usable.
+/// A whole frame, all that its stages found left in the work. Settings in their ranges, a frame that is usable.
+void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+    const soleFrame* frame, const soleLegHits* hits, soleOutput* output );
+/// The answers to soleGatherProbes(), by leg.
+soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount );
+/// The same, and remembered.
 void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
     const soleLegHits* hits, soleOutput* output );
 /// Nothing that is not finite leaves, whatever came in.

@@ -50,7 +50,7 @@ static float soleLiftAt( const float lift[3], float s )
 {
 	const float controls[7] = { -lift[0], 0.0f, lift[0], lift[1], lift[2], 0.0f, -lift[2] };
 	float x = soleClampF( 4.0f * s + 0.5f, 0.0f, 4.999f );
-	int32_t i = (int32_t)x;
+	int32_t i = x > 0.0f ? (int32_t)x : 0; // what is no number has no whole part
 	float t = x - (float)i;
 	float a = 0.5f * ( 1.0f - t ) * ( 1.0f - t );
 	float c = 0.5f * t * t;

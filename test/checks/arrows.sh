@@ -62,7 +62,7 @@ for file in $( sources baselines ); do
 done
 
 # The folders of src: what each may use beside itself and the public headers.
-declare -A uses=( [base]='' [rig]='base' [ground]='base' [place]='base|rig' [measure]='base|rig' [debug]='base|rig' [limb]='base' )
+declare -A uses=( [base]='' [rig]='base' [ground]='base' [place]='base|rig' [measure]='base|rig' [debug]='base|rig|place' [limb]='base' )
 for folder in src/*/; do
 	part=$( basename "$folder" )
 	allowed="$part${uses[$part]:+|${uses[$part]}}"

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The built page in a real browser, for tests and for pictures: a server of its folder below an odd path, and Chromium
+// with one choice of how it draws, so that pictures are the same every time.
+import { createReadStream } from 'node:fs';
+import { stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+
+export const folder = fileURLToPath( new URL( '../build/viewer/', import.meta.url ) );
+const PREFIX = '/some/where/';
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json',
+	'.wasm': 'application/wasm', '.glb': 'model/gltf-binary' };
+const args = [ '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
+	'--disable-component-update', '--disable-sync', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader' ];
+
+async function answer( request, response )
+{
+	const path = normalize( decodeURIComponent( new URL( request.url, 'http://here' ).pathname ) );
+	const file = join( folder, path.slice( PREFIX.length ) || 'index.html' );
+	const there = path.startsWith( PREFIX ) && ( await stat( file ).catch( () => null ) )?.isFile();
+	if ( !there )
+	{
+		response.writeHead( 404 ).end();
+		return;
+	}
+	response.writeHead( 200, { 'content-type': types[ extname( file ) ] ?? 'application/octet-stream' } );
+	createReadStream( file ).pipe( response );
+}
+
+/// A browser and a server, until they are closed.
+export async function openBrowser()
+{
+	const server = createServer( ( request, response ) => void answer( request, response ) );
+	await new Promise( ( done ) => server.listen( 0, '127.0.0.1', done ) );
+	const browser = await chromium.launch( { executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args } );
+	return {
+		browser,
+		address: `http://127.0.0.1:${server.address().port}${PREFIX}`,
+		async close()
+		{
+			await browser.close();
+			server.close();
+		},
+	};
+}
+
+/// A page that is ready. What it says on its console as an error ends up in `errors`.
+export async function openPage( host, query, options = {} )
+{
+	const context = await host.browser.newContext( { viewport: { width: 1366, height: 768 }, colorScheme: 'light', ...options } );
+	const page = await context.newPage();
+	const errors = [];
+	page.on( 'console', ( message ) => { if ( message.type() === 'error' ) { errors.push( message.text() ); } } );
+	page.on( 'pageerror', ( error ) => errors.push( String( error ) ) );
+	await page.goto( `${host.address}?${query}` );
+	await page.waitForSelector( 'html[data-ready]', { state: 'attached', timeout: 20000 } ).catch( async ( error ) =>
+	{
+		throw new Error( `${error.message}\n${await page.locator( '#messages' ).innerText()}\n${errors.join( '\n' )}` );
+	} );
+	return { page, errors, close: () => context.close() };
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// A ground: its triangles in the world, how it looks, and the way over it.
+import * as THREE from 'three';
+import { onTheme } from './page';
+
+const EDGE = 0.7; // m: a way that nobody has laid stays so far inside
+const LONGEST = 24; // m
+
+/// Positions and indices of all meshes below an object, in its world.
+export function collectTriangles( object: THREE.Object3D ): { positions: Float32Array; indices: Uint32Array }
+{
+	object.updateMatrixWorld( true );
+	const positions: number[] = [];
+	const indices: number[] = [];
+	const p = new THREE.Vector3();
+	object.traverse( ( node ) =>
+	{
+		const mesh = node as THREE.Mesh;
+		const place = mesh.isMesh === true ? mesh.geometry.getAttribute( 'position' ) : undefined;
+		if ( place === undefined )
+		{
+			return;
+		}
+		const first = positions.length / 3;
+		for ( let i = 0; i < place.count; ++i )
+		{
+			p.fromBufferAttribute( place, i ).applyMatrix4( mesh.matrixWorld );
+			positions.push( p.x, p.y, p.z );
+		}
+		const index = mesh.geometry.getIndex();
+		const flipped = mesh.matrixWorld.determinant() < 0;
+		const count = ( index?.count ?? place.count ) - 2;
+		for ( let i = 0; i < count; i += 3 )
+		{
+			const corner = [ 0, 1, 2 ].map( ( k ) => first + ( index?.getX( i + k ) ?? i + k ) );
+			indices.push( corner[ 0 ]!, corner[ flipped ? 2 : 1 ]!, corner[ flipped ? 1 : 2 ]! );
+		}
+	} );
+	return { positions: new Float32Array( positions ), indices: new Uint32Array( indices ) };
+}
+
+/// Lines every 10 cm and, stronger, every metre, on faces of all directions: heights and slopes can be read off.
+const gridVertex = '#include <project_vertex>\n\tsolePlace = ( modelMatrix * vec4( transformed, 1.0 ) ).xyz;\n' +
+	'\tsoleNormal = normalize( mat3( modelMatrix ) * objectNormal );';
+const gridFragment = `#include <color_fragment>
+	{
+		vec3 wide = fwidth( solePlace );
+		vec3 small = abs( fract( solePlace * 10.0 - 0.5 ) - 0.5 ) / max( wide * 10.0, vec3( 1e-5 ) );
+		vec3 large = abs( fract( solePlace - 0.5 ) - 0.5 ) / max( wide, vec3( 1e-5 ) );
+		vec3 facing = step( vec3( 0.6 ), abs( soleNormal ) );
+		vec3 away = mix( vec3( 0.0 ), vec3( 1e3 ), facing );
+		small += away;
+		large += away;
+		float fine = 1.0 - min( min( small.x, min( small.y, small.z ) ), 1.0 );
+		float coarse = 1.0 - min( min( large.x, min( large.y, large.z ) ), 1.0 );
+		float near = 1.0 - smoothstep( 0.01, 0.05, max( wide.x, max( wide.y, wide.z ) ) );
+		diffuseColor.rgb *= 1.0 - 0.10 * fine * near - 0.22 * coarse;
+	}`;
+
+function makeMaterial(): THREE.MeshStandardMaterial
+{
+	const material = new THREE.MeshStandardMaterial( { roughness: 0.95, side: THREE.DoubleSide, flatShading: true } );
+	material.onBeforeCompile = ( shader ) =>
+	{
+		const head = 'varying vec3 solePlace;\nvarying vec3 soleNormal;\n';
+		shader.vertexShader = head + shader.vertexShader.replace( '#include <project_vertex>', gridVertex );
+		shader.fragmentShader = head + shader.fragmentShader.replace( '#include <color_fragment>', gridFragment );
+	};
+	onTheme( ( theme ) => material.color.set( theme === 'dark' ? 0x6d7683 : 0xc9ccd2 ) );
+	return material;
+}
+
+const material = makeMaterial();
+const edgeMaterial = new THREE.LineBasicMaterial( { transparent: true, opacity: 0.4 } );
+onTheme( ( theme ) => edgeMaterial.color.set( theme === 'dark' ? 0xd5dbe4 : 0x3a424e ) );
+const EDGE_ANGLE = 25; // degrees between faces
+const MOST_EDGED = 12000; // triangles: more are terrain, whose edges are no steps
+
+/// A straight way along the longer side of a ground.
+function findWay( box: THREE.Box3 ): [ number, number ][]
+{
+	const size = box.getSize( new THREE.Vector3() );
+	const middle = box.getCenter( new THREE.Vector3() );
+	const half = 0.5 * Math.min( Math.max( Math.max( size.x, size.z ) - 2 * EDGE, 0.2 ), LONGEST );
+	return size.z >= size.x ? [ [ middle.x, middle.z - half ], [ middle.x, middle.z + half ] ]
+		: [ [ middle.x - half, middle.z ], [ middle.x + half, middle.z ] ];
+}
+
+export class GroundShape
+{
+	readonly mesh: THREE.Mesh;
+	readonly positions: Float32Array;
+	readonly indices: Uint32Array;
+	readonly path: [ number, number ][];
+	readonly box = new THREE.Box3();
+
+	/// Files are wound as their makers cared, samples as they should be.
+	readonly twoSided: boolean;
+
+	/// @param path of a sample
+	constructor( readonly name: string, object: THREE.Object3D, path?: [ number, number ][] )
+	{
+		const { positions, indices } = collectTriangles( object );
+		if ( indices.length === 0 )
+		{
+			throw new Error( `${name}: has neither a skinned character nor triangles to walk on.` );
+		}
+		this.twoSided = path === undefined;
+		this.positions = positions;
+		this.indices = indices;
+		const geometry = new THREE.BufferGeometry();
+		geometry.setAttribute( 'position', new THREE.BufferAttribute( positions, 3 ) );
+		geometry.setIndex( new THREE.BufferAttribute( indices, 1 ) );
+		geometry.computeVertexNormals();
+		this.mesh = new THREE.Mesh( geometry, material );
+		this.mesh.receiveShadow = true;
+		if ( indices.length < 3 * MOST_EDGED )
+		{
+			this.mesh.add( new THREE.LineSegments( new THREE.EdgesGeometry( geometry, EDGE_ANGLE ), edgeMaterial ) );
+		}
+		this.box.setFromBufferAttribute( geometry.getAttribute( 'position' ) as THREE.BufferAttribute );
+		this.path = path !== undefined && path.length > 1 ? path : findWay( this.box );
+	}
+
+	/// The place of the ground under a ray of the page.
+	pick( caster: THREE.Raycaster ): THREE.Vector3 | null
+	{
+		const hit = caster.intersectObject( this.mesh, false )[ 0 ];
+		return hit?.point ?? null;
+	}
+
+	dispose(): void
+	{
+		this.mesh.removeFromParent();
+		this.mesh.geometry.dispose();
+		this.mesh.children.forEach( ( edges ) => ( edges as THREE.LineSegments ).geometry.dispose() );
+	}
+}
+

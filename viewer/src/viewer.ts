@@ -1,0 +1,473 @@
+// SPDX-License-Identifier: MIT
+// The page as a whole: holds what is loaded, makes the session anew when that changes, runs time, and hands the outcome
+// to everything that shows it.
+import * as THREE from 'three';
+import { readAddress, writeAddress, type Address } from './address';
+import { CharacterModel } from './character';
+import { Checks } from './checks';
+import { fetchSample, openFile, parseGlb, type Opened, type Sample } from './files';
+import { Gizmos } from './gizmos';
+import { GroundShape } from './ground';
+import { Dragger, Keys } from './input';
+import { Inspector } from './inspector';
+import { Labels, type Label } from './labels';
+import type { Library, Shape } from './library';
+import { addTab, find, make, messageOf, say, setTheme } from './page';
+import { methodCaptions, methodChoices, Pickers } from './pickers';
+import { Plots } from './plots';
+import { ScenePage, defaultSceneChoices, type SceneChoices } from './scene-page';
+import { Session } from './session';
+import { applySwitches } from './settings';
+import { ShowPage } from './show-page';
+import { LAYER_FIRST, LAYER_SECOND, Stage } from './stage';
+import { TIME_STEP, Transport } from './transport';
+import type { Steering } from './walker';
+
+const MOST_STEPS = 4; // of a picture: a page that is too slow falls behind instead of stopping
+const TURN_STEP = 5; // degrees
+const LIFT = 1.5; // m/s, of who is lifted by the keys
+
+export class Viewer
+{
+	readonly address: Address = readAddress( location.search );
+	readonly stage: Stage;
+	readonly inspector: Inspector;
+	readonly choices: SceneChoices = defaultSceneChoices();
+	session!: Session;
+	private readonly transport: Transport;
+	private readonly pickers: Pickers;
+	private readonly scenePage: ScenePage;
+	private readonly showPage: ShowPage;
+	private readonly checks: Checks;
+	private readonly plots = new Plots();
+	private readonly labels: Labels;
+	private readonly gizmos = new Gizmos();
+	private readonly keys: Keys;
+	private model!: CharacterModel;
+	private shape!: GroundShape;
+	private behind = 0; // s that have not been stepped yet
+	private texts: Shape[] = [];
+	private costs = [ 0, 0, 0 ];
+	private framesPerSecond = 60;
+
+	constructor( readonly library: Library, readonly samples: readonly Sample[] )
+	{
+		if ( this.address.theme === 'dark' || this.address.theme === 'light' )
+		{
+			setTheme( this.address.theme );
+		}
+		this.stage = new Stage( find<HTMLCanvasElement>( 'canvas' ), this.address.manual );
+		this.stage.scene.add( this.gizmos.group );
+		this.labels = new Labels( this.stage );
+		this.transport = new Transport( () => this.advance( 1 ), () => this.restart() );
+		this.pickers = new Pickers( samples, {
+			character: ( name ) => void this.attempt( () => this.pickCharacter( name ) ),
+			clip: () => this.begin(),
+			ground: ( name ) => void this.attempt( () => this.pickGround( name ) ),
+			method: () => this.begin(),
+			files: ( files ) => void this.openFiles( files ),
+			link: () => void this.copyLink(),
+		} );
+		if ( this.address.mode === 'keys' || this.address.mode === 'stand' )
+		{
+			this.choices.mode = this.address.mode;
+		}
+		const scene = addTab( 'scene', 'Scene' );
+		const settings = addTab( 'settings', 'Settings' );
+		const show = addTab( 'show', 'Show' );
+		const checks = addTab( 'checks', 'Checks', () => this.refresh() );
+		this.scenePage = new ScenePage( scene.page, this.choices, {
+			populate: () => this.begin(), stages: () => this.takeSettings(), turned: () => this.turn( 0 ), body: () => this.showBody() } );
+		this.inspector = new Inspector( settings.page, library, () => this.takeSettings() );
+		this.showPage = new ShowPage( show.page, library.drawInfos, this.address.show, () => this.refresh() );
+		this.checks = new Checks( checks.page, () => this.refresh() );
+		const tabs: Record<string, typeof scene> = { scene, settings, show, checks };
+		( tabs[ this.address.panel ?? 'scene' ] ?? scene ).select();
+		this.keys = new Keys( this.makeCommands() );
+		this.listen();
+	}
+
+	// --------------------------------------------------------------------------------------------------------- loading
+
+	/// Everything that the address asks for.
+	async open(): Promise<void>
+	{
+		this.model = await this.loadCharacter( this.address.character );
+		this.shape = await this.loadGround( this.address.scene );
+		this.listClips( this.address.clip );
+		this.pickers.show( 'character', this.model.name );
+		this.pickers.show( 'ground', this.shape.name );
+		const method = this.address.method ?? 'both';
+		this.pickers.show( 'method', method in methodChoices ? method : 'both' );
+		this.begin();
+		if ( this.address.set.length > 0 )
+		{
+			this.inspector.chooseChanges( Object.fromEntries( this.address.set ) );
+		}
+		this.transport.setPlaying( this.address.manual === false && this.address.time === null );
+		if ( this.address.time !== null )
+		{
+			this.stepTo( this.address.time );
+		}
+	}
+
+	/// Says what went wrong instead of stopping.
+	private async attempt( action: () => Promise<void> | void ): Promise<void>
+	{
+		try
+		{
+			await action();
+		}
+		catch ( error )
+		{
+			say( messageOf( error ), true );
+		}
+		this.showPicked();
+	}
+
+	private async loadCharacter( name: string ): Promise<CharacterModel>
+	{
+		return new CharacterModel( name, await parseGlb( name, await fetchSample( name ) ) );
+	}
+
+	private async loadGround( name: string ): Promise<GroundShape>
+	{
+		const sample = this.samples.find( ( one ) => one.name === name );
+		return new GroundShape( name, ( await parseGlb( name, await fetchSample( name ) ) ).scene, sample?.path );
+	}
+
+	private async pickCharacter( name: string ): Promise<void>
+	{
+		if ( name !== this.model.name )
+		{
+			this.takeCharacter( await this.loadCharacter( name ) );
+		}
+	}
+
+	private async pickGround( name: string ): Promise<void>
+	{
+		if ( name !== this.shape.name )
+		{
+			this.takeGround( await this.loadGround( name ) );
+		}
+	}
+
+	/// What is there stays until what is new has proved itself.
+	private takeCharacter( model: CharacterModel ): void
+	{
+		const before = this.model;
+		this.model = model;
+		this.listClips( null );
+		try
+		{
+			this.begin();
+		}
+		catch ( error )
+		{
+			this.model = before;
+			this.listClips( null );
+			this.begin();
+			throw error;
+		}
+	}
+
+	private takeGround( shape: GroundShape ): void
+	{
+		this.shape.dispose();
+		this.shape = shape;
+		this.begin();
+	}
+
+	private take( opened: Opened ): void
+	{
+		if ( opened.kind === 'character' )
+		{
+			this.takeCharacter( new CharacterModel( opened.name, opened.gltf ) );
+		}
+		else
+		{
+			this.takeGround( new GroundShape( opened.name, opened.object ) );
+		}
+		say( `${opened.name}: opened as ${opened.kind}.` );
+	}
+
+	async openFiles( files: File[] ): Promise<void>
+	{
+		for ( const file of files )
+		{
+			await this.attempt( async () =>
+			{
+				/\.json$/i.test( file.name ) ? await this.inspector.load( file ) : this.take( await openFile( file ) );
+			} );
+		}
+	}
+
+	private listClips( wanted: string | null ): void
+	{
+		this.pickers.fill( 'clip', this.model.clips.map( ( clip ) => [ clip.name, clip.name ] ) );
+		const clip = this.model.findClip( wanted );
+		if ( clip !== null )
+		{
+			this.pickers.show( 'clip', clip.name );
+		}
+	}
+
+	private showPicked(): void
+	{
+		this.pickers.show( 'character', this.model.name );
+		this.pickers.show( 'ground', this.shape.name );
+	}
+
+	// --------------------------------------------------------------------------------------------------------- session
+
+	private get methods(): typeof methodChoices[ string ][ 'methods' ]
+	{
+		return methodChoices[ this.pickers.value( 'method' ) ]?.methods ?? [ 'sole' ];
+	}
+
+	/// A new session of what is loaded and chosen. Throws where that can't be.
+	begin(): void
+	{
+		const clip = this.model.findClip( this.pickers.value( 'clip' ) );
+		const session = new Session( this.model, this.shape, clip, { ...this.choices, methods: this.methods } );
+		const first = this.session === undefined || this.session.model !== this.model || this.session.shape !== this.shape;
+		this.session?.dispose();
+		this.session = session;
+		this.stage.scene.add( session.group, this.shape.mesh );
+		this.stage.views = this.methods.length > 1 && this.choices.count === 1 ? [ LAYER_FIRST, LAYER_SECOND ] : [ LAYER_FIRST ];
+		this.gizmos.setLayer( session.heroView === 0 ? LAYER_FIRST : LAYER_SECOND );
+		const shown = this.choices.count > 1 ? this.methods.slice( -1 ) : this.methods;
+		find( 'captions' ).replaceChildren( ...shown.map( ( method ) => make( 'span', {}, methodCaptions[ method ] ) ) );
+		this.checks.show( session.findings );
+		this.takeSettings();
+		this.showBody();
+		this.restart();
+		if ( first )
+		{
+			this.stage.resize();
+			this.stage.frame( session.focus(), session.legLength, session.walker.root.heading );
+		}
+	}
+
+	private takeSettings(): void
+	{
+		this.session.settings.set( applySwitches( this.inspector.values, this.choices.stages ) );
+		this.refresh();
+	}
+
+	private showBody(): void
+	{
+		const solid = this.choices.body;
+		this.session.group.traverse( ( node ) =>
+		{
+			const mesh = node as THREE.Mesh;
+			if ( mesh.isMesh === true )
+			{
+				for ( const material of Array.isArray( mesh.material ) ? mesh.material : [ mesh.material ] )
+				{
+					material.transparent = solid < 1;
+					material.opacity = solid;
+					material.depthWrite = solid > 0.5;
+				}
+				mesh.visible = solid > 0;
+			}
+		} );
+	}
+
+	restart(): void
+	{
+		this.session.restart();
+		this.behind = 0;
+		this.plots.clear();
+		this.stage.follow( this.session.focus(), 0, true );
+		this.refresh();
+	}
+
+	// ------------------------------------------------------------------------------------------------------------ time
+
+	private steer(): Steering
+	{
+		return this.choices.mode === 'keys' ? this.keys.steer( this.stage.camera ) : { amount: 0, heading: 0 };
+	}
+
+	/// So many frames of the simulation.
+	private advance( steps: number ): void
+	{
+		// What may change at any time, without new bodies.
+		const { mode, speed, height, weight } = this.choices;
+		Object.assign( this.session.choices, { mode, speed, height, weight } );
+		for ( let i = 0; i < steps; ++i )
+		{
+			this.session.step( this.steer() );
+			this.plots.add( this.session.figures() );
+			if ( this.choices.follow )
+			{
+				this.stage.follow( this.session.focus(), TIME_STEP, this.session.walker.jumped );
+			}
+			this.session.cost().forEach( ( cost, index ) => { this.costs[ index ]! += ( cost - this.costs[ index ]! ) * 0.03; } );
+		}
+		if ( steps > 0 )
+		{
+			this.refresh();
+		}
+	}
+
+	/// To the frame at a time, by the same steps whatever was before.
+	stepTo( time: number ): void
+	{
+		const wanted = Math.round( time / TIME_STEP );
+		if ( wanted < Math.round( this.session.time / TIME_STEP ) )
+		{
+			this.restart();
+		}
+		this.advance( wanted - Math.round( this.session.time / TIME_STEP ) );
+		this.draw();
+	}
+
+	/// A picture, and the time that it stands for.
+	tick( seconds: number ): void
+	{
+		this.framesPerSecond += ( 1 / Math.max( seconds, 1e-3 ) - this.framesPerSecond ) * 0.05;
+		if ( this.transport.playing )
+		{
+			this.behind += seconds * this.transport.rate;
+			const steps = Math.floor( this.behind / TIME_STEP );
+			this.behind -= steps * TIME_STEP;
+			this.advance( Math.min( steps, MOST_STEPS ) );
+		}
+		this.draw();
+	}
+
+	// --------------------------------------------------------------------------------------------------------- showing
+
+	/// Gizmos and texts of the frame as it is now.
+	private refresh(): void
+	{
+		if ( this.session !== undefined )
+		{
+			this.texts = this.gizmos.draw( this.session.shapes( this.showPage.mask ) );
+		}
+	}
+
+	private findLabels(): Label[]
+	{
+		const view = this.stage.views.length - 1;
+		const labels: Label[] = this.texts.map( ( shape ) =>
+			( { place: new THREE.Vector3().fromArray( shape.a ), text: shape.text, kind: '', view } ) );
+		const open = find( 'page-checks' ).hidden === false;
+		const problems = open ? this.checks.problems : [];
+		for ( const finding of new Set( this.checks.chosen !== null ? [ ...problems, this.checks.chosen ] : problems ) )
+		{
+			const joint = finding.joint >= 0 ? finding.joint : this.session.rig.pelvis;
+			labels.push( { place: this.session.hero.jointPlace( joint ), text: `${finding.where}: ${finding.what}`, kind: 'problem', view } );
+		}
+		return labels;
+	}
+
+	draw(): void
+	{
+		this.stage.render();
+		this.labels.show( this.findLabels() );
+		this.plots.draw();
+		const [ gather, cast, solve ] = this.costs.map( ( cost ) => cost.toFixed( 1 ) );
+		const solver = this.costs.reduce( ( sum, cost ) => sum + cost, 0 ).toFixed( 1 );
+		const words = this.address.manual ? '' : `${this.framesPerSecond.toFixed( 0 )} fps · ${solver} µs a character: ` +
+			`gather ${gather}, cast ${cast}, solve ${solve}`;
+		this.transport.show( this.session.time, words );
+	}
+
+	/// What `sole replay` reads of all frames from the start to a time.
+	record( time: number ): Uint8Array
+	{
+		const { hero } = this.session;
+		hero.beginTrace();
+		this.restart();
+		this.stepTo( time );
+		return hero.endTrace();
+	}
+
+	/// What is seen now, as an address of a PNG. Only where pictures are kept: manual=1.
+	picture(): string
+	{
+		this.draw();
+		return this.stage.renderer.domElement.toDataURL( 'image/png' );
+	}
+
+	// ---------------------------------------------------------------------------------------------------------- acting
+
+	private makeCommands(): Record<string, () => void>
+	{
+		return {
+			Space: () => this.transport.toggle(), Period: () => this.transport.stepOnce(), KeyR: () => this.restart(),
+			KeyQ: () => this.turn( TURN_STEP ), KeyE: () => this.turn( -TURN_STEP ),
+			PageUp: () => this.lift( LIFT * TIME_STEP ), PageDown: () => this.lift( -LIFT * TIME_STEP ),
+		};
+	}
+
+	private turn( degrees: number ): void
+	{
+		this.choices.heading += degrees;
+		this.scenePage.refresh();
+		if ( this.choices.mode === 'stand' )
+		{
+			this.session.walker.root.heading = this.choices.heading * Math.PI / 180;
+		}
+	}
+
+	/// Without automatic height.
+	private lift( by: number ): void
+	{
+		this.session.walker.root.y += this.choices.height ? 0 : by;
+	}
+
+	private listen(): void
+	{
+		const canvas = find<HTMLCanvasElement>( 'canvas' );
+		new Dragger( canvas, ( event ) => this.grab( event ), ( event ) => this.drag( event ), () => undefined );
+		addEventListener( 'dragover', ( event ) => { event.preventDefault(); find( 'drop' ).hidden = false; } );
+		addEventListener( 'dragleave', ( event ) => { find( 'drop' ).hidden = event.relatedTarget === null; } );
+		addEventListener( 'drop', ( event ) =>
+		{
+			event.preventDefault();
+			find( 'drop' ).hidden = true;
+			void this.openFiles( [ ...( event.dataTransfer?.files ?? [] ) ] );
+		} );
+	}
+
+	/// Is the character under the pointer, and does it stand to be dragged?
+	private grab( event: PointerEvent ): boolean
+	{
+		if ( this.choices.mode !== 'stand' )
+		{
+			return false;
+		}
+		const caster = this.stage.pick( event.clientX, event.clientY );
+		const focus = this.session.focus();
+		return caster.ray.distanceToPoint( focus ) < 0.9 * this.session.legLength;
+	}
+
+	private drag( event: PointerEvent ): void
+	{
+		const place = this.shape.pick( this.stage.pick( event.clientX, event.clientY ) );
+		if ( place !== null )
+		{
+			this.session.walker.drag( place.x, place.z );
+		}
+	}
+
+	private async copyLink(): Promise<void>
+	{
+		const changes = Object.entries( this.inspector.changes ).map( ( [ name, value ] ) => `${name}:${value}` );
+		const link = writeAddress( { scene: this.shape.name, clip: this.pickers.value( 'clip' ), method: this.pickers.value( 'method' ),
+			mode: this.choices.mode === 'path' ? '' : this.choices.mode, show: this.showPage.names.join( ',' ), set: changes.join( ',' ) } );
+		try
+		{
+			await navigator.clipboard.writeText( link );
+			say( 'The link is in the clipboard.' );
+		}
+		catch
+		{
+			say( link );
+		}
+	}
+}
