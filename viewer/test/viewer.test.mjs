@@ -175,7 +175,7 @@ test( 'a planted foot stands still and on the ground; an animated one does not',
 
 test( 'the same time is the same frame, whatever was before', async () =>
 {
-	await onPage( 'scene=T02&method=sole', async ( page ) =>
+	await onPage( 'scene=T14-20&method=sole', async ( page ) =>
 	{
 		await stepTo( page, 2 );
 		const before = await feet( page );
