@@ -13,7 +13,10 @@ if [ -z "$sole" ]; then
 fi
 PATH=$PWD/node_modules/.bin:$PATH
 
-scripts/build_wasm.sh
+# The package for JavaScript is the last thing that its script writes.
+if [ ! -e build/wasm/layout.js ] || [ -n "$( find src include bindings scripts/build_wasm.sh -newer build/wasm/layout.js -print -quit )" ]; then
+	scripts/build_wasm.sh > /dev/null
+fi
 
 public=build/viewer-public/samples
 rm -rf build/viewer-public

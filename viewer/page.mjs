@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The built page in a real browser, for tests and for pictures: a server of its folder below an odd path, and Chromium
 // with one choice of how it draws, so that pictures are the same every time.
+import assert from 'node:assert/strict';
 import { createReadStream } from 'node:fs';
 import { stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
@@ -60,4 +61,19 @@ export async function openPage( host, query, options = {} )
 		throw new Error( `${error.message}\n${await page.locator( '#messages' ).innerText()}\n${errors.join( '\n' )}` );
 	} );
 	return { page, errors, close: () => context.close() };
+}
+
+/// A page for one test, which ends without errors. Small, for pictures are drawn without a graphics card.
+export async function usePage( host, query, run, options )
+{
+	const opened = await openPage( host, `manual=1&${query}`, { viewport: { width: 900, height: 560 }, ...options } );
+	try
+	{
+		await run( opened.page );
+		assert.deepEqual( opened.errors, [] );
+	}
+	finally
+	{
+		await opened.close();
+	}
 }

@@ -5,4 +5,4 @@ cd "$(dirname "$0")/../.."
 PATH=$PWD/node_modules/.bin:$PATH
 
 scripts/build_viewer.sh build/release/tool/sole
-node --test --test-reporter=spec viewer/test/
+node --test --test-concurrency=1 --test-reporter=spec viewer/test/*.test.mjs
