@@ -18,9 +18,10 @@ names=( malloc free
 	soleDefaultGroundDef soleDefaultGroundMesh soleDefaultHeightField soleDefaultGroundPlane soleCreateGround
 	soleDestroyGround soleCastProbe soleCastPieces soleGround_GetBounds soleGround_GetTriangleCount
 	soleCreateTerrain soleDestroyTerrain soleMakeMeasurePoints soleDefaultLabelDef soleLabelContacts soleFindSteps
-	soleFindClipFloor soleFindStrideVelocity soleDefaultMeasureDef soleMeasureMotion
+	soleFindClipFloor soleFindStrideVelocity soleGetStepInput soleStepInput_Travel soleExtrapolate soleDefaultMeasureDef soleMeasureMotion
 	soleWasm_CreateCharacter soleWasm_Gather soleWasm_CastGround soleWasm_CastPieces soleWasm_Solve )
-debugNames=( soleReplayTrace soleGetDrawInfos soleWasm_Draw )
+debugNames=( soleMakeBufferSink soleCreateTracer soleDestroyTracer soleTracer_BeginFrame soleTracer_EndFrame
+	soleTracer_Finish soleReplayTrace soleGetDrawInfos soleWasm_Draw )
 
 target=( --target=wasm32-wasi --sysroot=/usr )
 # Small before fast: a solve takes microseconds either way. No contraction, for the same bits as everywhere.

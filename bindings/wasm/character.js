@@ -293,6 +293,12 @@ export class Character {
 		return this.#numbers("steps", (sizeOf("soleStepInput") / 4) * this.rig.legCount);
 	}
 
+	/// Nothing is known of contacts and steps: Sole goes by what the feet do.
+	forgetSteps() {
+		this.contact.fill(-1);
+		this.steps.fill(-1);
+	}
+
 	/// Bodies that feet may stand on: { surface, translation, rotation } each.
 	setSupports(supports) {
 		takeCount("supports.length", supports.length, 0, this.maxSupports);

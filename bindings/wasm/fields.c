@@ -269,6 +269,12 @@ static const soleWasmField soleWasmFields[] = {
 	FIELD( soleFigures, pelvisOffsetRms, 'd' ),
 	FIELD( soleFigures, pelvisOffsetMax, 'd' ),
 
+	WHOLE( soleTraceSink ),
+	WHOLE( soleTraceBuffer ),
+	FIELD( soleTraceBuffer, bytes, 'p' ),
+	FIELD( soleTraceBuffer, capacity, 'u' ),
+	FIELD( soleTraceBuffer, byteCount, 'u' ),
+
 	WHOLE( soleTraceReport ),
 	FIELD( soleTraceReport, version, 'i' ),
 	FIELD( soleTraceReport, legCount, 'i' ),

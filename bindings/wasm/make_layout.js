@@ -14,7 +14,7 @@ for (let i = 0; i < exports.soleWasm_CountFields(); ++i) {
 	const [struct, field] = new TextDecoder().decode(bytes.subarray(nameAt, bytes.indexOf(0, nameAt))).split(".");
 	layout[struct] ??= {};
 	if (field === undefined) {
-		layout[struct].byteCount = byteCount;
+		layout[struct].whole = byteCount;
 	} else {
 		layout[struct][field] = [offset, byteCount, String.fromCharCode(type)];
 	}

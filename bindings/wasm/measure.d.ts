@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Motions, their contact labels and figures. SI units where the world's are metres.
-import type { Numbers, Rig, Vector } from "./sole.js";
+import type { Character, Numbers, Rig, Vector } from "./sole.js";
 
 export interface Motion {
 	rig: Rig;
@@ -35,6 +35,17 @@ export interface Step {
 	toeUp: number;
 	place: number[];
 	forward: number[];
+}
+
+/** What a game knows of its clip beforehand, frame by frame. */
+export interface Steps {
+	readonly count: number;
+	/**
+	 * Fills in contact and steps of a character's frame. The root is taken to go on as it goes: velocity along the
+	 * floor and turnRate about up, as seen from itself, in character units and radians a second.
+	 */
+	tell(character: Character, now: { time: number; rate?: number; velocity: Vector; turnRate?: number }): void;
+	dispose(): void;
 }
 
 export interface MeasureParts {

@@ -10,7 +10,7 @@ const arrays = { f: Float32Array, d: Float64Array, i: Int32Array, u: Uint32Array
 
 /// How many bytes a struct has.
 export function sizeOf(struct) {
-	return layout[struct].byteCount;
+	return layout[struct].whole;
 }
 
 /// How many bytes a field has.

@@ -78,7 +78,8 @@ function putLeg(memory, scope, at, what, leg, names) {
 	});
 }
 
-function putDefinition(module, scope, given) {
+/// A definition in the module's memory, for as long as the scope lasts.
+export function putDefinition(module, scope, given) {
 	const { memory, exports } = module;
 	const at = scope.struct("soleRigDef");
 	exports.soleDefaultRigDef(at);

@@ -3,7 +3,7 @@
 // that is made has to be disposed of; arrays that are called views are the module's own memory and show what is there
 // now: ask for them anew after something was created, since memory that grows moves them.
 
-import type { Figures, LabelLimits, MeasureParts, Motion, Step } from "./measure.js";
+import type { Figures, LabelLimits, MeasureParts, Motion, Step, Steps } from "./measure.js";
 
 export * from "./measure.js";
 
@@ -50,10 +50,14 @@ export interface Sole {
 	label(motion: Motion, limits?: LabelLimits): Uint8Array;
 	/** The steps of a motion over flat ground; of one that loops give three rounds. */
 	findSteps(motion: Motion, labels: Uint8Array, loops?: boolean): Step[];
+	/** Steps of a clip, for Steps.tell(). */
+	createSteps(steps: readonly Step[], clip: { duration: number; loops?: boolean }): Steps;
 	measure(parts: MeasureParts): Figures;
 
-	/** What Character.draw() shows. Debug module only, as is the next. */
+	/** What Character.draw() shows. Debug module only, as are the next two. */
 	readonly drawInfos: readonly { category: number; name: string; text: string }[];
+	/** @param capacity bytes of the longest trace. default 16 MiB */
+	createTracer(character: Character, capacity?: number): Tracer;
 	replayTrace(bytes: Uint8Array): TraceReport;
 }
 
@@ -332,6 +336,8 @@ export interface Character {
 	readonly contact: Float32Array;
 	/** View, 11 numbers per leg: since, until, place, forward, travel. since below zero: not known. */
 	readonly steps: Float32Array;
+	/** Nothing is known of contact and steps. */
+	forgetSteps(): void;
 	/** Bodies that move and that feet may stand on. */
 	setSupports(supports: readonly { surface: number; translation: Vector; rotation: Numbers }[]): void;
 
@@ -441,6 +447,15 @@ export interface Pieces {
 }
 
 // --------------------------------------------------------------------------------------------------------- traces
+
+/** Records one character from now on. */
+export interface Tracer {
+	/** Instead of the character's own solve(): the same, recorded. */
+	solve(): void;
+	/** The whole trace; nothing can be recorded after it. */
+	finish(): Uint8Array;
+	dispose(): void;
+}
 
 export interface TraceReport {
 	frameCount: number;

@@ -7,8 +7,10 @@ import { ContactLabel, findClipFloor, findSteps, findStrideVelocity, label, meas
 import { Memory, offsetOf, refuse, sizeOf } from "./memory.js";
 import { Rig, createRig, detectRig } from "./rig.js";
 import { Settings, readSettingInfos } from "./settings.js";
+import { Steps } from "./steps.js";
+import { Tracer } from "./trace.js";
 
-export { Character, ContactLabel, Ground, LegFlags, Pieces, Rig, Settings };
+export { Character, ContactLabel, Ground, LegFlags, Pieces, Rig, Settings, Steps, Tracer };
 
 // ( module ( func ( drop ( v128.const ... ) ) ) ), the smallest that only engines with SIMD take.
 const SIMD_PROBE = Uint8Array.from([
@@ -130,6 +132,10 @@ export class Sole {
 		return findSteps(this.#module, motion, labels, loops);
 	}
 
+	createSteps(steps, clip) {
+		return new Steps(this.#module, steps, clip);
+	}
+
 	measure(parts) {
 		return measure(this.#module, parts);
 	}
@@ -156,6 +162,12 @@ export class Sole {
 				};
 			});
 		});
+	}
+
+	/// Records what goes into a character's frames and what comes out.
+	createTracer(character, capacity) {
+		this.#needDebug("createTracer");
+		return new Tracer(this.#module, character, capacity);
 	}
 
 	/// Plays a recorded trace and compares it bit by bit.
