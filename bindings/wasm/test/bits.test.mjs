@@ -2,7 +2,7 @@
 // The same bits as the native library: traces that the native program has recorded are replayed, over several scenes and
 // characters, and all four modules agree on a walk.
 import assert from "node:assert/strict";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import { test } from "node:test";
 import {
 	bipedDefinition, bipedSkeleton, dataFolder, hash, loadModule, modules, native, stairs, walkOn, workFolder,
@@ -35,6 +35,22 @@ for (const name of ["sole-debug", "sole-debug-simd"]) {
 		}
 	});
 }
+
+test("the native program replays what was recorded here to the bit", async () => {
+	for (const name of ["sole-debug", "sole-debug-simd"]) {
+		const sole = await loadModule(name);
+		const rig = sole.detectRig(bipedSkeleton()).rig;
+		const ground = sole.createGround({ meshes: [stairs()] });
+		const character = sole.createCharacter(rig);
+		const tracer = sole.createTracer(character);
+		for (let i = 0; i < 120; ++i) {
+			walkOn(character, ground, i, tracer);
+		}
+		writeFileSync(`${workFolder}/own.trace`, tracer.finish());
+		assert.match(native("replay", "own.trace"), /: 120 frames of 2 legs, .*: the same to the bit/);
+		tracer.dispose();
+	}
+});
 
 test("what is no trace is refused, with the library's sentence", async () => {
 	native("bake", "mannequin", "--ground", "flat", "--distance", "1", "-o", "bake.glb", "--trace", "bake.trace");

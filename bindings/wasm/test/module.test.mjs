@@ -83,7 +83,7 @@ test("the declarations hold for a user's program, strictly", () => {
 			target: "es2022",
 			lib: ["es2022", "dom"],
 			exactOptionalPropertyTypes: true,
-			skipLibCheck: true,
+			skipLibCheck: false,
 			types: [],
 		},
 		files: [`${root}/bindings/wasm/test/user.ts`],

@@ -98,12 +98,14 @@ export function stairs() {
 
 export const heightOfStairs = (z) => (z > 1 ? 0.1 * Math.ceil((z - 1) / 0.3) : 0);
 
-/// Frame number i of a walk up the stairs.
-export function walkOn(character, ground, i) {
+/// Frame number i of a walk up the stairs. @param solver the character, or its tracer
+export function walkOn(character, ground, i, solver = character) {
 	const t = i / 60;
 	const swing = 0.4 * Math.sin(5 * t);
 	character.pose = poseBiped(0.3 + 0.1 * Math.cos(5 * t), [swing, -swing]);
 	character.frame.root = [0, heightOfStairs(t), t, 0, 0, 0, 1, 1, 1, 1];
 	character.frame.timeStep = 1 / 60;
-	character.update(ground);
+	character.gather();
+	character.cast(ground);
+	solver.solve();
 }
