@@ -112,7 +112,8 @@ writePage()
 		# How fast it is
 
 		Nanoseconds, median and (least) of all runs. Variants of a case are taken in turn in one process, so ratios
-		within a line hold better than figures do from machine to machine. Measured on $machine, $( nproc )
+		within a line hold better than figures do from machine to machine; where others were at work beside it, the least
+		says more than the median. Measured on $machine, $( nproc )
 		cores, one in use; gcc $( gcc -dumpfullversion ),$flags.
 
 		Not all that is wished for is reached: [design-reasons.md](design-reasons.md) says what limits it.
