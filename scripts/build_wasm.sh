@@ -29,7 +29,7 @@ flags=( "${target[@]}" -nostdlibinc -idirafter /usr/include/wasm32-wasi -std=c11
 	-ffp-contract=off -fno-math-errno -fno-builtin-malloc -fno-builtin-calloc
 	-mnontrapping-fptoint -msign-ext -mbulk-memory
 	-Wall -Wextra -pedantic -Wshadow -Wconversion -Wundef -Wdouble-promotion -Werror -Iinclude -Isrc -I$binding )
-optimize=( -Oz --low-memory-unused --converge --strip-producers
+optimize=( -Oz --low-memory-unused --converge --strip-producers --const-hoisting
 	--enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext )
 
 # compile FOLDER FLAG...

@@ -76,7 +76,7 @@ static int32_t soleAskForOne(
 		soleProbe probe;
 		if ( soleAskGround( &work, work.legs + i / perLeg, i % perLeg, &probe ) )
 		{
-			if ( count == capacity )
+			if ( count >= capacity )
 			{
 				return SOLE_NONE;
 			}

@@ -95,6 +95,8 @@ static void soleForget( soleState* state, int32_t legCount )
 	state->pelvis = still;
 	state->pelvisLead = still;
 	state->second = still;
+	state->pelvisHeld = 0.0f;
+	state->pelvisHeldTime = 0.0f;
 	memset( &state->balance, 0, sizeof state->balance );
 	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
 	for ( int32_t i = 0; i < legCount; ++i )

@@ -16,14 +16,18 @@
 #include "base/simd.h"
 #include "base/wide_math.h"
 #include "place/leg_kernel.h"
+static soleLegLanesFcn* const soleLegLanesOf4 = FN( soleSolveLegLanes );
 #undef SOLE_WIDTH
 
+// Elsewhere no machine has more.
+#if SOLE_X86
 #define SOLE_WIDTH 8
 SOLE_BEGIN_AVX2
 #include "base/simd.h"
 #include "base/wide_math.h"
 #include "place/leg_kernel.h"
 SOLE_END_TARGET
+static soleLegLanesFcn* const soleLegLanesOf8 = FN( soleSolveLegLanes );
 #undef SOLE_WIDTH
 
 #define SOLE_WIDTH 16
@@ -32,7 +36,9 @@ SOLE_BEGIN_AVX512
 #include "base/wide_math.h"
 #include "place/leg_kernel.h"
 SOLE_END_TARGET
+static soleLegLanesFcn* const soleLegLanesOf16 = FN( soleSolveLegLanes );
 #undef SOLE_WIDTH
+#endif
 
 static soleVec3 soleGet3( soleArray3 a, int32_t i )
 {
@@ -84,17 +90,13 @@ static void soleSolveOneByOne( const soleLegBatch* batch, int32_t first, int32_t
 
 soleLegLanesFcn* soleGetLegLanes( int32_t width )
 {
-	switch ( width )
+#if SOLE_X86
+	if ( width == 16 || width == 8 )
 	{
-	case 16:
-		return soleSolveLegLanes16;
-	case 8:
-		return soleSolveLegLanes8;
-	case 4:
-		return soleSolveLegLanes4;
-	default:
-		return soleSolveOneByOne;
+		return width == 16 ? soleLegLanesOf16 : soleLegLanesOf8;
 	}
+#endif
+	return width == 4 ? soleLegLanesOf4 : soleSolveOneByOne;
 }
 
 int32_t soleGetBatchWidth( void )

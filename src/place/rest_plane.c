@@ -83,7 +83,7 @@ static void soleJoinLevels( const soleRestPoints* p, float gap, uint32_t levels[
 uint32_t soleFindHighestLevel( const soleRestPoints* p, float gap )
 {
 	uint32_t levels[SOLE_MAX_REST_POINTS];
-	if ( soleAreAllLevel( p, gap ) )
+	if ( p->count < 2 || soleAreAllLevel( p, gap ) )
 	{
 		return p->count < SOLE_MAX_REST_POINTS ? soleBit( p->count ) - 1u : ~0u;
 	}

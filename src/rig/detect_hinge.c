@@ -74,7 +74,8 @@ soleVec3 soleFindHinge( soleDetect* detect, int32_t index )
 		bend = soleBendAxis( detect->position[leg->joints[knee - 1]], detect->position[leg->joints[knee]], leg->ankle );
 	}
 	soleVec3 bindAxis = soleNormalizeOr( bend, zero );
-	float degrees = asinf( soleMinF( soleLength( bend ), 1.0f ) ) / DEGREE;
+	float sine = soleMinF( soleLength( bend ), 1.0f );
+	float degrees = (float)atan2( (double)sine, (double)soleSqrtF( 1.0f - sine * sine ) ) / DEGREE;
 	// Only two-legged walkers have knees that are known to bend about the lateral axis.
 	bool biped = detect->legCount == 2 && leg->jointCount <= 3;
 	float side = soleDot( bindAxis, detect->lateral );

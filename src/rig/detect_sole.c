@@ -3,6 +3,8 @@
 // at these joints. All in character space, in the bind pose. A foot's own frame: forward, lateral, normal of the sole.
 #include "detect_internal.h"
 
+#include "base/math_internal.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -294,8 +296,9 @@ static soleFootFrame soleStandingFrame( const soleDetect* detect, const soleFoun
 static soleFootFrame soleTurnFrame( const soleFootFrame* frame, float pitch )
 {
 	soleFootFrame turned = *frame;
-	float c = cosf( pitch );
-	float s = sinf( pitch );
+	soleHalf half = soleHalfFromAngle( pitch );
+	float c = half.c * half.c - half.s * half.s;
+	float s = 2.0f * half.c * half.s;
 	turned.forward = soleMulAdd( soleScale( c, frame->forward ), -s, frame->normal );
 	turned.normal = soleMulAdd( soleScale( c, frame->normal ), s, frame->forward );
 	return turned;

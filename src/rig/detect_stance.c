@@ -15,7 +15,7 @@ static float solePitch( const soleDetect* detect, const soleFoundLeg* leg )
 	}
 	soleVec3 d = soleSub( detect->position[toe], leg->ankle );
 	float down = -soleDot( d, detect->up );
-	return atan2f( down, soleLength( soleReject( d, detect->up ) ) );
+	return (float)atan2( (double)down, (double)soleLength( soleReject( d, detect->up ) ) );
 }
 
 /// Lowest that a leg's joints say the floor can be.
