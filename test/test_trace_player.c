@@ -175,6 +175,9 @@ static void hostileTracesDoNoHarm( void** state )
 			testIsSentence( "hostile", &message );
 		}
 		refused += result != sole_success;
+		// Solved as well: a share of the way that is no number once read beyond the lifts.
+		soleTraceReport report;
+		assert_int_equal( testPlay( bytes, total, &report, &message ), result );
 	}
 	// Most changes of a number are believed; counts and names are not.
 	assert_in_range( refused, 200, 2500 );
