@@ -50,6 +50,7 @@ needTest()
 {
 	needViewer
 	need chromium chromium
+	need fonts-dejavu-core
 	need g++ g++
 	need libclang-rt-14-dev
 	need clang-format-14 clang-format-14
