@@ -220,6 +220,8 @@ typedef struct soleSettings
 	{
 		float align;   // share of the ground's slope that a planted foot follows. [0, 1] default 1
 		float maxTilt; // furthest that the ground tilts a foot. rad [0, 1.5] default 1.5
+		float flatten; // a heel that is down, and that its clip leaves off the floor, is put down by turning the foot
+		               // by at most this. rad [0, 0.5] default 0.1
 		float height;  // soles are kept this far over the ground. L [-0.5, 0.5] default 0
 		float flight;  // share of the placement that a foot in flight keeps. [0, 1] default 1
 		float moving;  // share that is left while the root moves. [0, 1] default 1
@@ -484,6 +486,7 @@ typedef struct soleLegState
 	soleOffset3 gradient;   // what is left of slope changes
 	float heelRise;         // their heights over the clip's floor
 	float ballRise;
+	soleOffset1 flat;     // by how much a heel that its clip leaves off the floor is turned down, rad
 	float positionWeight; // as far as blended in
 	float rotationWeight;
 	float heelSpeed; // their speeds over the ground

@@ -7,9 +7,14 @@
 //   p' = Q + T R ( p - q )
 // so its distance from the plane, along the normal, is its animated height over the floor: a flat foot lies flat, and
 // heel strike, heel-off and flight survive on any slope. The anchor neither slides nor leaves the plane while Q is
-// held. A weight of the place leads back to where the animation has the ankle, one of the turn to how it turns the
+// held. A foot that its clip leaves tilted while it stands is laid flat before, by a turn F about its pivot b:
+//   p' = Q + T R ( ( b - q ) + F ( p - b ) )
+// A weight of the place leads back to where the animation has the ankle, one of the turn to how it turns the
 // foot.
 #include "place/place.h"
+
+#define FLATTEN_TIME 0.04f // s, half-life
+#define AT_REST 0.15f      // L/s: a heel that is slower neither comes down nor leaves
 
 /// Follows less of the slope, and stays above the ground for it: the flatter plane is raised until it touches the old
 /// one at an end of the sole.
@@ -48,6 +53,24 @@ static soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg
 	return soleHalfRotation( work->up, soleHalfFromAngle( sign * angle ) );
 }
 
+/// The turn that lays a foot flat whose heel its clip leaves off the floor while heel and toes are down and at rest:
+/// about what a heel is raised about, at right angles to the foot. It comes and goes with that.
+static soleQuat soleLayFlat( const solePlaceWork* work, soleLegWork* leg )
+{
+	const soleSettings* s = work->settings;
+	soleLegState* state = leg->state;
+	const uint32_t both = (uint32_t)( sole_stateHeelOn | sole_stateToeOn );
+	bool rests = ( state->flags & both ) == both && leg->heelSpeed < AT_REST * leg->length;
+	float length = soleMaxF( soleDistance( leg->heel, leg->pivot ), 0.01f * leg->length );
+	float sine = soleClampF( ( leg->heelRise - leg->ballRise ) / length, 0.0f, 1.0f );
+	// Of a sine so small that the angle is nearly as large; what is beyond the limit stays.
+	float goal = rests ? soleMinF( sine, s->target.flatten ) : 0.0f;
+	soleOffset1 still = { goal, 0.0f };
+	state->flat = work->first ? still : soleStepSpring( state->flat, goal, 0.0f, FLATTEN_TIME, work->timeStep );
+	soleVec3 side = soleRotate( leg->foot.rotation, leg->rig->footSide );
+	return soleHalfRotation( side, soleHalfFromAngle( state->flat.value ) );
+}
+
 void soleSetTargets( solePlaceWork* work )
 {
 	for ( int32_t i = 0; i < work->legCount; ++i )
@@ -68,9 +91,12 @@ void soleSetTargets( solePlaceWork* work )
 		soleQuat turned = soleMulQuat( leg->turn, soleMulQuat( soleGetToeOut( work, leg ), upright ) );
 		leg->image = soleMulQuat( tilt, turned );
 		// A foot that is turned outwards turns under its ankle.
-		soleVec3 ankle = soleAdd( goal, soleRotate( image, soleSub( leg->ankle, q ) ) );
-		soleVec3 pivot = soleAdd( ankle, soleRotate( leg->image, soleSub( leg->pivot, leg->ankle ) ) );
-		soleQuat foot = soleMulQuat( leg->image, leg->foot.rotation );
+		soleQuat flat = soleLayFlat( work, leg );
+		soleVec3 arm = soleAdd( soleSub( leg->pivot, q ), soleRotate( flat, soleSub( leg->ankle, leg->pivot ) ) );
+		soleVec3 ankle = soleAdd( goal, soleRotate( image, arm ) );
+		soleVec3 fore = soleRotate( flat, soleSub( leg->pivot, leg->ankle ) );
+		soleVec3 pivot = soleAdd( ankle, soleRotate( leg->image, fore ) );
+		soleQuat foot = soleMulQuat( leg->image, soleMulQuat( flat, leg->foot.rotation ) );
 
 		leg->ankleWanted = ankle;
 		leg->ankleTarget = soleLerp( leg->ankle, ankle, leg->weight );

@@ -61,6 +61,8 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( foothold.freeze, "s", 0, 1, 0.085, "The place of a step is settled this long before the foot comes down." ),
 	FLOAT( target.align, "", 0, 1, 1, "Share of the ground's slope that the foot follows." ),
 	FLOAT( target.maxTilt, "rad", 0, 1.5, 1.5, "Furthest that the ground tilts a foot." ),
+	FLOAT( target.flatten, "rad", 0, 0.5, 0.1,
+	    "A heel that is down, but off the clip's floor, is put down by a turn of at most this." ),
 	FLOAT( target.height, "L", -0.5, 0.5, 0, "Soles are kept this far over the ground." ),
 	FLOAT( target.flight, "", 0, 1, 1, "Share of the placement that a foot in flight keeps." ),
 	FLOAT( target.moving, "", 0, 1, 1, "Share of the placement that is left while the root moves." ),
