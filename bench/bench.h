@@ -50,6 +50,7 @@ extern "C"
 	// Each adds its cases.
 	void benchAddGround( benchList* list, int64_t largest );
 	void benchAddPlace( benchList* list, int64_t largest );
+	void benchAddLegs( benchList* list );
 
 #ifdef __cplusplus
 }

@@ -279,6 +279,7 @@ int main( int argc, char** argv )
 	}
 	benchList list = { 0 };
 	benchAddGround( &list, options.largest );
+	benchAddLegs( &list );
 	benchAddPlace( &list, options.largest );
 	int status =
 	    options.counted != NULL || options.listCounted ? benchCount( &list, &options ) : benchRunAll( &list, &options );
