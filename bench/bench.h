@@ -51,6 +51,7 @@ extern "C"
 	void benchAddGround( benchList* list, int64_t largest );
 	void benchAddPlace( benchList* list, int64_t largest );
 	void benchAddLegs( benchList* list );
+	void benchAddCrowds( benchList* list, int64_t largest );
 
 #ifdef __cplusplus
 }

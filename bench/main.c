@@ -281,6 +281,7 @@ int main( int argc, char** argv )
 	benchAddGround( &list, options.largest );
 	benchAddLegs( &list );
 	benchAddPlace( &list, options.largest );
+	benchAddCrowds( &list, options.largest );
 	int status =
 	    options.counted != NULL || options.listCounted ? benchCount( &list, &options ) : benchRunAll( &list, &options );
 	free( list.cases );
