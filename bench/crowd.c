@@ -289,7 +289,8 @@ static void benchAddHerd( benchList* list, const char* stem, benchHerdKind kind 
 	const char* name = benchName( stem, kind.count );
 	benchHerdKind* kept = benchAlloc( 1, sizeof *kept ); // as long as the list
 	*kept = kind;
-	for ( int32_t i = 0; i < 2; ++i )
+	// One range is nothing to share.
+	for ( int32_t i = 0; i < ( kind.count > RANGE ? 2 : 1 ); ++i )
 	{
 		benchHerdAsked* asked = benchAlloc( 1, sizeof *asked );
 		*asked = ( benchHerdAsked ){ kept, i + 1 };
