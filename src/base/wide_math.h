@@ -54,6 +54,12 @@ static inline soleWide FN( soleClampWide )( soleWide x, soleWide low, soleWide h
 	return PICK( LESS( x, low ), low, soleWide_Min( high, x ) );
 }
 
+/// The same where low is known not to be above high.
+static inline soleWide FN( soleLimitWide )( soleWide x, soleWide low, soleWide high )
+{
+	return soleWide_Max( low, soleWide_Min( high, x ) );
+}
+
 // ----------------------------------------------------------------------------------------------------------- vectors
 
 static inline soleLanes3 FN( soleAdd3 )( soleLanes3 a, soleLanes3 b )
@@ -113,14 +119,17 @@ static inline soleLanes3 FN( soleNormalize3 )( soleLanes3 v, soleLanes3 fallback
 	return soleWide_GetBits( usable ) == SOLE_ALL_LANES ? unit : FN( solePick3 )( usable, unit, fallback );
 }
 
-/// @return false: some lanes are not usable, and left as they are
+/// @return false: some lanes are not usable, and all are left as they are
 static inline bool FN( soleTryNormalize3 )( soleLanes3* v )
 {
 	soleWide squared = FN( soleDot3 )( *v, *v );
 	soleWideMask usable = FN( soleIsUsable )( squared );
-	soleLanes3 unit = FN( soleScale3 )( DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) ), *v );
-	*v = FN( solePick3 )( usable, unit, *v );
-	return soleWide_GetBits( usable ) == SOLE_ALL_LANES;
+	if ( soleWide_GetBits( usable ) != SOLE_ALL_LANES )
+	{
+		return false;
+	}
+	*v = FN( soleScale3 )( DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) ), *v );
+	return true;
 }
 
 static inline soleLanes3 FN( soleReject3 )( soleLanes3 v, soleLanes3 n )

@@ -29,19 +29,21 @@ static inline void FN( soleStore4 )( soleArray4 a, int32_t i, soleLanes4 q )
 static inline soleLanes3 FN( soleFindWideAxis )(
     soleLanes3 k, soleLanes3 s, soleWide a, soleWide b, soleLanes3 u0, soleLanes3 rigHinge )
 {
-	soleLanes3 level = FN( soleReject3 )( rigHinge, u0 );
-	soleLanes3 reference = level;
+	soleLanes3 reference = FN( soleReject3 )( rigHinge, u0 );
 	if ( FN( soleTryNormalize3 )( &reference ) == false )
 	{
-		reference = FN( soleNormalize3 )( level, FN( soleAnyOrthogonal3 )( u0 ) );
+		reference = FN( soleNormalize3 )( reference, FN( soleAnyOrthogonal3 )( u0 ) );
 	}
 	soleLanes3 n = FN( soleScale3 )( DIV( NUM( 1.0f ), MUL( a, b ) ), FN( soleCross3 )( k, s ) );
 	soleWide f = FN( soleLength3 )( n );
 	soleWideMask other = LESS( FN( soleDot3 )( n, reference ), NUM( 0.0f ) );
 	soleLanes3 axis = FN( soleScale3 )( PICK( other, NUM( -1.0f ), NUM( 1.0f ) ), n );
 	soleWideMask straight = LESS( f, NUM( SOLE_NEARLY_STRAIGHT ) );
-	soleLanes3 leaned = FN( soleMulAdd3 )( axis, SUB( NUM( SOLE_NEARLY_STRAIGHT ), f ), reference );
-	axis = FN( solePick3 )( straight, leaned, axis );
+	if ( soleWide_GetBits( straight ) != 0 )
+	{
+		soleLanes3 leaned = FN( soleMulAdd3 )( axis, SUB( NUM( SOLE_NEARLY_STRAIGHT ), f ), reference );
+		axis = FN( solePick3 )( straight, leaned, axis );
+	}
 	return FN( soleNormalize3 )( FN( soleReject3 )( axis, u0 ), reference );
 }
 
@@ -148,9 +150,9 @@ static inline soleWide FN( soleFlagWide )( soleWideMask mask, soleLegFlags flag 
 static inline void FN( soleBendLanes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
 {
 	soleWide zero = NUM( 0.0f ), one = NUM( 1.0f ), bones = ADD( leg->a, leg->b );
-	soleWide hard = MUL( FN( soleClampWide )( soleWide_Load( batch->reach + i ), zero, one ), bones );
-	soleWide soft = FN( soleClampWide )( SUB( hard, soleWide_Load( batch->softZone + i ) ), zero, hard );
-	soleWide fold = MUL( FN( soleClampWide )( soleWide_Load( batch->fold + i ), zero, one ), bones );
+	soleWide hard = MUL( FN( soleLimitWide )( soleWide_Load( batch->reach + i ), zero, one ), bones );
+	soleWide soft = FN( soleLimitWide )( SUB( hard, soleWide_Load( batch->softZone + i ) ), zero, hard );
+	soleWide fold = MUL( FN( soleLimitWide )( soleWide_Load( batch->fold + i ), zero, one ), bones );
 	soleWide ap = leg->ap, bp = leg->bp, length1 = leg->length1;
 	soleWide difference = PICK( LESS( bp, ap ), SUB( ap, bp ), SUB( bp, ap ) );
 	soleWide length = soleWide_Max( FN( soleSoftenWide )( length1, soft, hard ), fold );
@@ -213,9 +215,10 @@ static inline void FN( soleWriteLanes )( const soleLegBatch* batch, int32_t i, c
 	soleLanes4 newThigh = FN( soleMul4 )( leg->hipTurn, thigh );
 	newThigh = FN( soleNormalize4 )( FN( soleMulConjugate4 )( parent, newThigh ) );
 	FN( soleStore4 )( batch->thigh_l, i, newThigh );
-	soleLanes4 newShin = FN( soleMulConjugate4 )( thigh, FN( soleMul4 )( leg->kneeTurn, shin ) );
-	FN( soleStore4 )( batch->shin_l, i, FN( soleNormalize4 )( newShin ) );
-	soleLanes4 carried = FN( soleMul4 )( FN( soleMul4 )( leg->hipTurn, leg->kneeTurn ), shin );
+	soleLanes4 bent = FN( soleMul4 )( leg->kneeTurn, shin );
+	soleLanes4 newShin = FN( soleNormalize4 )( FN( soleMulConjugate4 )( thigh, bent ) );
+	FN( soleStore4 )( batch->shin_l, i, newShin );
+	soleLanes4 carried = FN( soleMul4 )( leg->hipTurn, bent );
 	soleLanes4 foot = FN( soleMulConjugate4 )( carried, FN( soleLoad4 )( batch->foot, i ) );
 	FN( soleStore4 )( batch->foot_l, i, FN( soleNormalize4 )( foot ) );
 }
