@@ -50,6 +50,8 @@ extern "C"
 	// Each adds its cases.
 	void benchAddGround( benchList* list, int64_t largest );
 	void benchAddPlace( benchList* list, int64_t largest );
+	void benchAddLegs( benchList* list );
+	void benchAddCrowds( benchList* list, int64_t largest );
 
 #ifdef __cplusplus
 }

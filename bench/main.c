@@ -279,7 +279,9 @@ int main( int argc, char** argv )
 	}
 	benchList list = { 0 };
 	benchAddGround( &list, options.largest );
+	benchAddLegs( &list );
 	benchAddPlace( &list, options.largest );
+	benchAddCrowds( &list, options.largest );
 	int status =
 	    options.counted != NULL || options.listCounted ? benchCount( &list, &options ) : benchRunAll( &list, &options );
 	free( list.cases );

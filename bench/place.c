@@ -8,7 +8,6 @@
 
 #define FRAME_COUNT 256 // of a walk whose hits are taken beforehand
 #define GROUND_SIZE 100000
-#define CROWD_SPACING 1.3f
 
 /// What is timed of a frame.
 typedef enum benchPart
@@ -108,7 +107,6 @@ typedef struct benchCrowd
 	benchWalker walker; // those of the one that is at work
 	char* states;
 	size_t stateSize;
-	soleVec3* places;
 	int32_t frame;
 	soleTransform* pose;
 } benchCrowd;
@@ -123,16 +121,12 @@ static void* benchOpenCrowd( const void* argument )
 	size_t count = (size_t)crowd->placing.characterCount;
 	crowd->stateSize = ( soleState_GetByteCount( crowd->walk->character.rig ) + 15 ) / 16 * 16;
 	crowd->states = benchAlloc( count + 8, crowd->stateSize ); // the last may be copied as a whole
-	crowd->places = benchAlloc( count, sizeof *crowd->places );
 	soleState state = soleDefaultState( crowd->walk->character.rig );
 	for ( size_t i = 0; i < count; ++i )
 	{
 		memcpy( crowd->states + i * crowd->stateSize, &state, crowd->stateSize );
-		// 40 a row, and as often as it takes: characters pass through each other.
-		crowd->places[i] =
-		    soleVec( 2.0f + CROWD_SPACING * (float)( i % 40 ), 0.0f, 2.0f + CROWD_SPACING * (float)( i / 40 % 20 ) );
 	}
-	benchStartWalker( crowd->walk, crowd->placing.method, crowd->places[0], 0, &crowd->walker );
+	benchStartWalker( crowd->walk, crowd->placing.method, benchGetStart( 0 ), 0, &crowd->walker );
 	return crowd;
 }
 
@@ -144,7 +138,7 @@ static void benchRunCrowd( void* context )
 	{
 		char* kept = crowd->states + (size_t)i * crowd->stateSize;
 		memcpy( &walker->sole.state, kept, crowd->stateSize );
-		benchPlaceWalker( crowd->walk, crowd->ground, crowd->places[i], i + crowd->frame, walker );
+		benchPlaceWalker( crowd->walk, crowd->ground, benchGetStart( i ), i + crowd->frame, walker );
 		walker->probeCount = crowd->placing.method->gather( walker );
 		soleCastProbes( crowd->ground, walker->probes, walker->probeCount, walker->hits );
 		crowd->placing.method->solve( walker );
@@ -160,7 +154,6 @@ static void benchCloseCrowd( void* context )
 	soleDestroyGround( crowd->ground );
 	free( crowd->pose );
 	free( crowd->states );
-	free( crowd->places );
 	free( crowd );
 }
 

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#define CROWD_SPACING 1.3f
 #define WALK_LENGTH 600 // frames, then the walker is back at its start
 
 static void benchFail( const char* what )
@@ -40,6 +41,13 @@ const benchWalk* benchGetWalk( void )
 		toolSampleLooped( &walk.character, &walk.clip, &walk.travel, time, walk.poses + (size_t)i * jointCount, &root );
 	}
 	return &walk;
+}
+
+soleVec3 benchGetStart( int32_t character )
+{
+	float across = (float)( character % 40 );
+	float along = (float)( character / 40 % 20 );
+	return soleVec( 2.0f + CROWD_SPACING * across, 0.0f, 2.0f + CROWD_SPACING * along );
 }
 
 soleGround* benchMakeWalkGround( int64_t triangleCount )

@@ -82,6 +82,8 @@ typedef struct benchMethod
 extern const benchMethod benchMethods[];
 extern const int32_t benchMethodCount;
 
+/// Where a character of many sets out: 40 a row, and as often as it takes: they pass through each other.
+soleVec3 benchGetStart( int32_t character );
 /// Made once, lives as long as the program.
 const benchWalk* benchGetWalk( void );
 soleGround* benchMakeWalkGround( int64_t triangleCount );

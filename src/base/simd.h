@@ -133,8 +133,18 @@ static inline uint32_t soleGetLowestBit( uint32_t bits )
 #if defined( __GNUC__ ) && SOLE_SIMD_SCALAR == 0
 
 typedef float soleWide __attribute__( ( vector_size( 4 * SOLE_WIDTH ) ) );
+#if SOLE_X86 && SOLE_WIDTH == 16
+#define SOLE_WIDE_LESS( a, b ) _mm512_cmp_ps_mask( a, b, _CMP_LT_OS )
+#define SOLE_WIDE_SELECT( mask, a, b ) _mm512_mask_blend_ps( mask, b, a )
+/// A bit for each lane: these machines keep masks apart from vectors.
+typedef uint16_t soleWideMask;
+#else
+#define SOLE_WIDE_LESS( a, b ) ( ( a ) < ( b ) )
+#define SOLE_WIDE_SELECT( mask, a, b )                                                                                 \
+	( soleWide )( ( ( mask ) & (soleWideMask)( a ) ) | ( ~( mask ) & (soleWideMask)( b ) ) )
 /// All bits of a lane are set, or none.
 typedef int32_t soleWideMask __attribute__( ( vector_size( 4 * SOLE_WIDTH ) ) );
+#endif
 
 static inline soleWide soleWide_Add( soleWide a, soleWide b )
 {
@@ -158,25 +168,27 @@ static inline soleWide soleWide_Div( soleWide a, soleWide b )
 
 static inline soleWideMask soleWide_Less( soleWide a, soleWide b )
 {
-	return a < b;
+	return SOLE_WIDE_LESS( a, b );
 }
 
 static inline soleWideMask soleWide_And( soleWideMask a, soleWideMask b )
 {
-	return a & b;
+	return (soleWideMask)( a & b );
 }
 
 static inline soleWideMask soleWide_Or( soleWideMask a, soleWideMask b )
 {
-	return a | b;
+	return (soleWideMask)( a | b );
 }
 
 /// a where the mask is set, else b.
 static inline soleWide soleWide_Select( soleWideMask mask, soleWide a, soleWide b )
 {
-	return (soleWide)( ( mask & (soleWideMask)a ) | ( ~mask & (soleWideMask)b ) );
+	return SOLE_WIDE_SELECT( mask, a, b );
 }
 
+#undef SOLE_WIDE_LESS
+#undef SOLE_WIDE_SELECT
 #else
 
 typedef struct soleWide
@@ -280,7 +292,7 @@ static inline soleWide soleWide_Set( float x )
 #define SOLE_WIDE_SQRT( a ) _mm512_sqrt_ps( a )
 #define SOLE_WIDE_MIN( a, b ) _mm512_min_ps( a, b )
 #define SOLE_WIDE_MAX( a, b ) _mm512_max_ps( a, b )
-#define SOLE_WIDE_BITS( mask ) _mm512_test_epi32_mask( (__m512i)( mask ), (__m512i)( mask ) )
+#define SOLE_WIDE_BITS( mask ) ( mask )
 #endif
 
 static inline soleWide soleWide_Sqrt( soleWide a )

@@ -51,13 +51,13 @@ static inline soleWide FN( soleNegWide )( soleWide a )
 /// x < low ? low : ( x > high ? high : x )
 static inline soleWide FN( soleClampWide )( soleWide x, soleWide low, soleWide high )
 {
-	return PICK( LESS( x, low ), low, PICK( LESS( high, x ), high, x ) );
+	return PICK( LESS( x, low ), low, soleWide_Min( high, x ) );
 }
 
-/// sqrt( x > 0 ? x : 0 )
-static inline soleWide FN( soleSafeSqrt )( soleWide x )
+/// The same where low is known not to be above high.
+static inline soleWide FN( soleLimitWide )( soleWide x, soleWide low, soleWide high )
 {
-	return soleWide_Sqrt( PICK( LESS( NUM( 0.0f ), x ), x, NUM( 0.0f ) ) );
+	return soleWide_Max( low, soleWide_Min( high, x ) );
 }
 
 // ----------------------------------------------------------------------------------------------------------- vectors
@@ -114,23 +114,29 @@ static inline soleWideMask FN( soleIsUsable )( soleWide squared )
 static inline soleLanes3 FN( soleNormalize3 )( soleLanes3 v, soleLanes3 fallback )
 {
 	soleWide squared = FN( soleDot3 )( v, v );
+	soleWideMask usable = FN( soleIsUsable )( squared );
 	soleLanes3 unit = FN( soleScale3 )( DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) ), v );
-	return FN( solePick3 )( FN( soleIsUsable )( squared ), unit, fallback );
+	return soleWide_GetBits( usable ) == SOLE_ALL_LANES ? unit : FN( solePick3 )( usable, unit, fallback );
 }
 
-/// @return false: some lanes are not usable, and left as they are
+/// @return false: some lanes are not usable, and all are left as they are
 static inline bool FN( soleTryNormalize3 )( soleLanes3* v )
 {
 	soleWide squared = FN( soleDot3 )( *v, *v );
 	soleWideMask usable = FN( soleIsUsable )( squared );
-	soleLanes3 unit = FN( soleScale3 )( DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) ), *v );
-	*v = FN( solePick3 )( usable, unit, *v );
-	return soleWide_GetBits( usable ) == SOLE_ALL_LANES;
+	if ( soleWide_GetBits( usable ) != SOLE_ALL_LANES )
+	{
+		return false;
+	}
+	*v = FN( soleScale3 )( DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) ), *v );
+	return true;
 }
 
 static inline soleLanes3 FN( soleReject3 )( soleLanes3 v, soleLanes3 n )
 {
-	return FN( soleMulAdd3 )( v, FN( soleNegWide )( FN( soleDot3 )( v, n ) ), n );
+	// As adding the negative: signs are exact.
+	soleLanes3 along = FN( soleScale3 )( FN( soleDot3 )( v, n ), n );
+	return FN( soleSub3 )( v, along );
 }
 
 static inline soleLanes3 FN( soleAnyOrthogonal3 )( soleLanes3 n )
@@ -154,11 +160,6 @@ static inline soleLanes4 FN( soleIdentity4 )( void )
 	return ( soleLanes4 ){ NUM( 0.0f ), NUM( 0.0f ), NUM( 0.0f ), NUM( 1.0f ) };
 }
 
-static inline soleLanes4 FN( soleConjugate4 )( soleLanes4 q )
-{
-	return ( soleLanes4 ){ FN( soleNegWide )( q.x ), FN( soleNegWide )( q.y ), FN( soleNegWide )( q.z ), q.w };
-}
-
 static inline soleLanes4 FN( soleMul4 )( soleLanes4 a, soleLanes4 b )
 {
 	return ( soleLanes4 ){
@@ -169,12 +170,24 @@ static inline soleLanes4 FN( soleMul4 )( soleLanes4 a, soleLanes4 b )
 	};
 }
 
+/// conj( a ) b, the signs moved to where they cost nothing, zeros' signs kept.
+static inline soleLanes4 FN( soleMulConjugate4 )( soleLanes4 a, soleLanes4 b )
+{
+	return ( soleLanes4 ){
+		ADD( SUB( MUL( a.w, b.x ), MUL( a.x, b.w ) ), SUB( MUL( a.z, b.y ), MUL( a.y, b.z ) ) ),
+		ADD( SUB( MUL( a.w, b.y ), MUL( a.y, b.w ) ), SUB( MUL( a.x, b.z ), MUL( a.z, b.x ) ) ),
+		ADD( SUB( MUL( a.w, b.z ), MUL( a.z, b.w ) ), SUB( MUL( a.y, b.x ), MUL( a.x, b.y ) ) ),
+		SUB( ADD( MUL( a.w, b.w ), MUL( a.x, b.x ) ), SUB( FN( soleNegWide )( MUL( a.y, b.y ) ), MUL( a.z, b.z ) ) ),
+	};
+}
+
 static inline soleLanes4 FN( soleNormalize4 )( soleLanes4 q )
 {
 	soleWide squared = ADD( ADD( MUL( q.x, q.x ), MUL( q.y, q.y ) ), ADD( MUL( q.z, q.z ), MUL( q.w, q.w ) ) );
 	soleWide s = DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) );
 	soleLanes4 unit = { MUL( s, q.x ), MUL( s, q.y ), MUL( s, q.z ), MUL( s, q.w ) };
-	return FN( solePick4 )( FN( soleIsUsable )( squared ), unit, FN( soleIdentity4 )() );
+	soleWideMask usable = FN( soleIsUsable )( squared );
+	return soleWide_GetBits( usable ) == SOLE_ALL_LANES ? unit : FN( solePick4 )( usable, unit, FN( soleIdentity4 )() );
 }
 
 static inline soleLanes3 FN( soleRotate3 )( soleLanes4 q, soleLanes3 v )
@@ -205,15 +218,21 @@ static inline soleLanes4 FN( soleFromTo4 )( soleLanes3 from, soleLanes3 to, sole
 static inline soleLanesHalf FN( soleMakeWideHalf )( soleWide cosine, soleWide sine )
 {
 	soleWide zero = NUM( 0.0f ), one = NUM( 1.0f );
-	soleWide length = FN( soleSafeSqrt )( ADD( MUL( cosine, cosine ), MUL( sine, sine ) ) );
+	// Of squares: not below zero, and what is no number is not usable either way.
+	soleWide length = soleWide_Sqrt( ADD( MUL( cosine, cosine ), MUL( sine, sine ) ) );
 	soleWide c = ADD( one, DIV( cosine, length ) );
 	soleWide s = DIV( sine, length );
 	soleWide scale = DIV( one, soleWide_Sqrt( ADD( MUL( c, c ), MUL( s, s ) ) ) );
-	soleWideMask back = LESS( c, NUM( 1e-6f ) );
-	soleWide side = PICK( LESS( s, zero ), NUM( -1.0f ), one );
-	soleLanesHalf half = { PICK( back, zero, MUL( scale, c ) ), PICK( back, side, MUL( scale, s ) ) };
+	soleLanesHalf half = { MUL( scale, c ), MUL( scale, s ) };
 	// length >= 1e-20
 	soleWideMask usable = LESS( NUM( SOLE_BELOW_LENGTH ), length );
+	soleWideMask back = LESS( c, NUM( 1e-6f ) );
+	if ( soleWide_GetBits( usable ) == SOLE_ALL_LANES && soleWide_GetBits( back ) == 0 )
+	{
+		return half;
+	}
+	soleWide side = PICK( LESS( s, zero ), NUM( -1.0f ), one );
+	half = ( soleLanesHalf ){ PICK( back, zero, half.c ), PICK( back, side, half.s ) };
 	return ( soleLanesHalf ){ PICK( usable, half.c, one ), PICK( usable, half.s, zero ) };
 }
 

@@ -22,11 +22,20 @@ typedef struct solePoint
 	double x, y, z;
 } solePoint;
 
+/// The edge that follows a corner, from its lower end.
+typedef struct soleEdge
+{
+	solePoint from;
+	solePoint along;
+	bool forwards; // as the triangle winds
+} soleEdge;
+
 /// The triangle and the sphere's way, relative to the start.
 typedef struct soleSweep
 {
 	solePoint corners[3];
-	solePoint way; // direction
+	soleEdge edges[3]; // found once it is clear that they are needed
+	solePoint way;     // direction
 	solePoint normal;
 	double length;
 	double radius;
@@ -59,14 +68,19 @@ static bool solePoint_IsBefore( solePoint a, solePoint b )
 	return a.x != b.x ? a.x < b.x : ( a.y != b.y ? a.y < b.y : a.z < b.z );
 }
 
-/// The edge that follows a corner, from its lower end.
-static void soleGetEdge( const soleSweep* sweep, int corner, solePoint* from, solePoint* edge )
+static void soleFindEdges( soleSweep* sweep )
 {
-	solePoint a = sweep->corners[corner];
-	solePoint b = sweep->corners[corner == 2 ? 0 : corner + 1];
-	bool forwards = solePoint_IsBefore( a, b );
-	*from = forwards ? a : b;
-	*edge = forwards ? soleSubPoint( b, a ) : soleSubPoint( a, b );
+	for ( int i = 0; i < 3; ++i )
+	{
+		solePoint a = sweep->corners[i];
+		solePoint b = sweep->corners[i == 2 ? 0 : i + 1];
+		bool forwards = solePoint_IsBefore( a, b );
+		sweep->edges[i] = ( soleEdge ){
+			.from = forwards ? a : b,
+			.along = forwards ? soleSubPoint( b, a ) : soleSubPoint( a, b ),
+			.forwards = forwards,
+		};
+	}
 }
 
 /// Whether a point of the plane is inside the three edges, borders included. The normal may have been turned round:
@@ -77,12 +91,9 @@ static bool soleIsOverFace( const soleSweep* sweep, solePoint p )
 	bool anyBehind = false;
 	for ( int i = 0; i < 3; ++i )
 	{
-		solePoint from;
-		solePoint edge;
-		soleGetEdge( sweep, i, &from, &edge );
-		double side = soleDotPoint( soleCrossPoint( sweep->normal, edge ), soleSubPoint( p, from ) );
-		bool forwards = solePoint_IsBefore( sweep->corners[i], sweep->corners[i == 2 ? 0 : i + 1] );
-		side = forwards ? side : -side;
+		const soleEdge* edge = sweep->edges + i;
+		double side = soleDotPoint( soleCrossPoint( sweep->normal, edge->along ), soleSubPoint( p, edge->from ) );
+		side = edge->forwards ? side : -side;
 		anyFront = anyFront || side > 0.0;
 		anyBehind = anyBehind || side < 0.0;
 	}
@@ -102,9 +113,8 @@ static solePoint soleGetNearestPoint( const soleSweep* sweep )
 	double least = soleDotPoint( nearest, nearest );
 	for ( int i = 0; i < 3; ++i )
 	{
-		solePoint from;
-		solePoint edge;
-		soleGetEdge( sweep, i, &from, &edge );
+		solePoint from = sweep->edges[i].from;
+		solePoint edge = sweep->edges[i].along;
 		double square = soleDotPoint( edge, edge );
 		double along = -soleDotPoint( from, edge );
 		double share = along <= 0.0 || !( square > 0.0 ) ? 0.0 : ( along >= square ? 1.0 : along / square );
@@ -141,9 +151,8 @@ static bool soleMeetEdges( const soleSweep* sweep, double* t, solePoint* point )
 	double wayWay = soleDotPoint( sweep->way, sweep->way );
 	for ( int i = 0; i < 3; ++i )
 	{
-		solePoint p;
-		solePoint e;
-		soleGetEdge( sweep, i, &p, &e );
+		solePoint p = sweep->edges[i].from;
+		solePoint e = sweep->edges[i].along;
 		double ee = soleDotPoint( e, e );
 		double ed = soleDotPoint( e, sweep->way );
 		double me = -soleDotPoint( p, e );
@@ -253,13 +262,15 @@ bool soleSphereMeetsTriangle(
 	}
 	double r = sweep.radius;
 	double along = soleDotPoint( sweep.normal, sweep.way );
-	if ( sweep.height > r )
+	bool away = sweep.height > r;
+	// All of the triangle lies further than the plane is away.
+	if ( away && ( !( along < 0.0 ) || ( sweep.height - r ) > -along * sweep.length ) )
 	{
-		// All of the triangle lies further than the plane is away.
-		if ( !( along < 0.0 ) || ( sweep.height - r ) > -along * sweep.length )
-		{
-			return false;
-		}
+		return false;
+	}
+	soleFindEdges( &sweep );
+	if ( away )
+	{
 		double t = ( sweep.height - r ) / -along;
 		solePoint centre = soleMulAddPoint( ( solePoint ){ 0.0, 0.0, 0.0 }, t, sweep.way );
 		solePoint foot = soleMulAddPoint( centre, -r, sweep.normal );

@@ -75,10 +75,11 @@ static void soleSolveOneByOne( const soleLegBatch* batch, int32_t first, int32_t
 		soleTwoBoneResult result = soleSolveTwoBone( &def );
 		soleQuat thigh = soleGet4( batch->thigh, i ), shin = soleGet4( batch->shin, i );
 		soleQuat parent = soleConjugate( soleGet4( batch->parent, i ) );
-		soleQuat carried = soleMulQuat( soleMulQuat( result.hip, result.knee ), shin );
+		soleQuat bent = soleMulQuat( result.knee, shin );
+		soleQuat carried = soleMulQuat( result.hip, bent );
 		soleQuat foot = soleMulQuat( soleConjugate( carried ), soleGet4( batch->foot, i ) );
 		solePut4( batch->thigh_l, i, soleNormalizeQuat( soleMulQuat( parent, soleMulQuat( result.hip, thigh ) ) ) );
-		soleQuat newShin = soleMulQuat( soleConjugate( thigh ), soleMulQuat( result.knee, shin ) );
+		soleQuat newShin = soleMulQuat( soleConjugate( thigh ), bent );
 		solePut4( batch->shin_l, i, soleNormalizeQuat( newShin ) );
 		solePut4( batch->foot_l, i, soleNormalizeQuat( foot ) );
 		batch->reached.x[i] = result.ankle.x;
