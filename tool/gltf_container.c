@@ -203,8 +203,8 @@ bool toolPackGlb( const toolGltf* gltf, const char* path, uint8_t** bytes, size_
 
 static bool toolWriteGlb( const toolGltf* gltf, const char* path, toolError* error )
 {
-	uint8_t* bytes;
-	size_t byteCount;
+	uint8_t* bytes = NULL;
+	size_t byteCount = 0;
 	if ( toolPackGlb( gltf, path, &bytes, &byteCount, error ) == false )
 	{
 		return false;

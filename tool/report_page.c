@@ -73,9 +73,9 @@ typedef struct toolPageText
 
 static void toolAddBytes( toolPageText* page, const char* bytes, size_t count )
 {
-	if ( page->count + count > page->capacity )
+	if ( page->count + count >= page->capacity )
 	{
-		page->capacity = 2 * ( page->count + count );
+		page->capacity = 2 * ( page->count + count ) + 1;
 		page->text = toolGrow( page->text, page->capacity, 1 );
 	}
 	memcpy( page->text + page->count, bytes, count );

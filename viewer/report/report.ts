@@ -10,6 +10,7 @@ import { LAYER_FIRST, LAYER_SECOND, Stage } from '../src/stage';
 import { Transport } from '../src/transport';
 import { baseName, durationOf, type ReportData, type Take, type Walk } from './data';
 import { showChanges, showFigures } from './figures';
+import { Sticks } from './sticks';
 import { Timeline } from './timeline';
 
 const FOCUS = 0.42; // of leg length below the pelvis: feet and ground are what is to be seen
@@ -35,6 +36,8 @@ function findFocus( take: Take, walk: Walk, legLength: number ): THREE.Vector3[]
 interface Seen
 {
 	instance: CharacterInstance;
+	/// Of a character that has no skin to be seen.
+	sticks: Sticks | null;
 	clip: THREE.AnimationClip | null;
 }
 
@@ -46,6 +49,35 @@ export interface LegPlaces
 	joints: number[][];
 	/// The ankle on the page; null: not in the picture.
 	pixel: number[] | null;
+}
+
+/// By the name that it has in its file.
+function findNode( root: THREE.Object3D, name: string | undefined ): THREE.Object3D | null
+{
+	let found: THREE.Object3D | null = null;
+	root.traverse( ( node ) =>
+	{
+		found = ( ( node.userData[ 'name' ] as string | undefined ) ?? node.name ) === name ? node : found;
+	} );
+	return found;
+}
+
+/// The lowest node that all legs hang from.
+function findPelvis( root: THREE.Object3D, data: ReportData ): THREE.Object3D
+{
+	const holds = ( top: THREE.Object3D ): boolean => data.legs.every( ( leg ) => findNode( top, leg.joints[ 0 ] ) !== null );
+	let node = findNode( root, data.legs[ 0 ]?.joints[ 0 ] )?.parent ?? root;
+	while ( node.parent !== null && holds( node ) === false )
+	{
+		node = node.parent;
+	}
+	return node;
+}
+
+function findPlace( root: THREE.Object3D, name: string ): THREE.Vector3
+{
+	const node = findNode( root, name );
+	return node === null ? new THREE.Vector3( NaN, NaN, NaN ) : new THREE.Vector3().setFromMatrixPosition( node.matrixWorld );
 }
 
 export class Report
@@ -72,7 +104,9 @@ export class Report
 			const instance = new CharacterInstance( gltf.scene );
 			instance.setLayer( layer );
 			this.stage.scene.add( instance.root );
-			return { instance, clip: null };
+			const sticks = instance.joints.length === 0 ? new Sticks( findPelvis( instance.root, data ), layer ) : null;
+			sticks !== null && this.stage.scene.add( sticks.lines );
+			return { instance, sticks, clip: null };
 		} );
 		this.transport = new Transport( () => this.stepBy( 1 ), () => this.setTime( 0 ) );
 		this.transport.setPlaying( manual === false && matchMedia( '(prefers-reduced-motion: reduce)' ).matches === false );
@@ -154,10 +188,11 @@ export class Report
 	{
 		this.time = Math.min( Math.max( time, 0 ), durationOf( this.walk ) );
 		const frame = Math.round( this.time * this.walk.fps );
-		for ( const { instance, clip } of this.seen )
+		for ( const { instance, sticks, clip } of this.seen )
 		{
 			clip !== null && instance.setClipPose( clip, this.time );
 			instance.root.updateMatrixWorld( true );
+			sticks?.update();
 		}
 		this.stage.follow( this.focusAt( this.time ), 0, true );
 		this.slider.value = String( frame );
@@ -206,12 +241,12 @@ export class Report
 	/// What is seen of the legs now, left and right picture.
 	places(): { method: string; legs: LegPlaces[] }[]
 	{
-		return this.seen.map( ( { instance }, side ) => ( { method: this.walk.takes[ this.shown[ side ]! ]!.method, legs: this.data.legs.map( ( leg ) =>
-		{
-			const joints = leg.joints.map( ( name ) => instance.joints.find( ( joint ) =>
-				( ( joint.userData[ 'name' ] as string | undefined ) ?? joint.name ) === name ) );
-			const places = joints.map( ( joint ) => new THREE.Vector3().setFromMatrixPosition( joint!.matrixWorld ) );
-			return { name: leg.name, joints: places.map( ( place ) => place.toArray() ), pixel: this.stage.project( places.at( -1 )!, side )?.toArray() ?? null };
-		} ) } ) );
+		return this.seen.map( ( { instance }, side ) => ( { method: this.walk.takes[ this.shown[ side ]! ]!.method,
+			legs: this.data.legs.map( ( leg ) =>
+			{
+				const places = leg.joints.map( ( name ) => findPlace( instance.root, name ) );
+				return { name: leg.name, joints: places.map( ( place ) => place.toArray() ),
+					pixel: this.stage.project( places.at( -1 )!, side )?.toArray() ?? null };
+			} ) } ) );
 	}
 }

@@ -13,6 +13,7 @@ const TOP = 5;
 const DEGREES = 180 / Math.PI;
 const HIGHEST = 0.2; // of leg length: a sole that is further over or under the ground leaves its plot, for centimetres count
 const takeColors = [ '--before', '--after' ];
+const thickness = [ 2.4, 1.3 ]; // pixels of the page: one shows behind the other where they are equal
 
 interface Line
 {
@@ -35,6 +36,8 @@ interface PlotDef
 	bars: Bar[];
 	/// What lies further from zero is not drawn.
 	most: number;
+	/// A smaller range is not made to look large.
+	span: number;
 }
 
 interface Plot extends PlotDef
@@ -58,18 +61,18 @@ function makeDefs( data: ReportData, walk: Walk, takes: readonly [ Take, Take ] 
 {
 	const both = ( value: ( take: Take, frame: number ) => number | null ): Line[] =>
 		takes.map( ( take, index ) => ( { take: index, value: ( frame ) => value( take, frame ) ?? NaN } ) );
-	const perLeg = ( title: string, unit: string, most: number, value: ( take: Take, leg: number, frame: number ) => number | null ): PlotDef[] =>
-		data.legs.map( ( leg, index ) => ( { title: `${title}, ${leg.name}`, unit, bars: [], most,
+	const perLeg = ( title: string, unit: string, most: number, span: number, value: ( take: Take, leg: number, frame: number ) => number | null ): PlotDef[] =>
+		data.legs.map( ( leg, index ) => ( { title: `${title}, ${leg.name}`, unit, bars: [], most, span,
 			lines: both( ( take, frame ) => value( take, index, frame ) ) } ) );
 	const scaled = ( number: number | null | undefined, factor: number ): number | null => ( number === null || number === undefined ? null : factor * number );
 	const floor = takes[ 1 ].pelvis[ 1 ] ?? 0;
 	return [
-		...perLeg( 'Sole over the ground', 'mm', 1000 * HIGHEST * data.legLength, ( take, leg, frame ) => scaled( take.legs[ leg ]!.height[ frame ], 1000 ) ),
-		...perLeg( 'Knee', '°', Infinity, ( take, leg, frame ) => scaled( take.legs[ leg ]!.bend[ frame ], DEGREES ) ),
-		...perLeg( 'Knee acceleration', '°/s²', Infinity, ( take, leg, frame ) => scaled( take.legs[ leg ]!.acceleration[ frame ], DEGREES ) ),
-		{ title: `Contact: pale as in the clip, solid where ${takes[ 1 ].method} holds the foot`, unit: '', lines: [], most: 1, bars: data.legs.map( ( leg, index ) => ( { name: leg.name,
+		...perLeg( 'Sole over the ground', 'mm', 1000 * HIGHEST * data.legLength, 20, ( take, leg, frame ) => scaled( take.legs[ leg ]!.height[ frame ], 1000 ) ),
+		...perLeg( 'Knee', '°', Infinity, 10, ( take, leg, frame ) => scaled( take.legs[ leg ]!.bend[ frame ], DEGREES ) ),
+		...perLeg( 'Knee acceleration', '°/s²', Infinity, 100, ( take, leg, frame ) => scaled( take.legs[ leg ]!.acceleration[ frame ], DEGREES ) ),
+		{ title: `Contact: pale as in the clip, solid where ${takes[ 1 ].method} holds the foot`, unit: '', lines: [], most: 1, span: 0, bars: data.legs.map( ( leg, index ) => ( { name: leg.name,
 			value: ( frame ) => ( takes[ 1 ].legs[ index ]!.planted[ frame ] === 1 ? 1 : ( walk.labels[ index ]![ frame ] ?? 0 ) > 0 ? 0.5 : 0 ) } ) ) },
-		{ title: 'Pelvis over its start', unit: 'mm', bars: [], most: Infinity, lines: both( ( take, frame ) => scaled( take.pelvis[ 3 * frame + 1 ]! - floor, 1000 ) ) },
+		{ title: 'Pelvis over its start', unit: 'mm', bars: [], most: Infinity, span: 20, lines: both( ( take, frame ) => scaled( take.pelvis[ 3 * frame + 1 ]! - floor, 1000 ) ) },
 	];
 }
 
@@ -89,7 +92,7 @@ function makePlot( def: PlotDef, frames: number ): Plot
 	low = Math.max( low, -def.most );
 	high = Math.min( high, def.most );
 	const known = low <= high;
-	const room = known ? Math.max( 0.06 * ( high - low ), 1e-3 ) : 0;
+	const room = known ? Math.max( 0.06 * ( high - low ), 0.5 * ( def.span - high + low ) ) : 0;
 	return { ...def, low: known ? low - room : 0, high: known ? high + room : 1,
 		canvas: make( 'canvas', { role: 'img', 'aria-label': `${def.title}, along time` } ),
 		cursor: make( 'div', { class: 'cursor' } ),
@@ -186,7 +189,7 @@ export class Timeline
 		sheet.context.beginPath();
 		sheet.context.rect( 0, 0, sheet.width, TOP * scale + tall );
 		sheet.context.clip();
-		plot.lines.forEach( ( line ) => drawLine( sheet, this.frames, x, ( frame ) => y( line.value( frame ) ), styleColor( takeColors[ line.take ]! ) ) );
+		plot.lines.forEach( ( line ) => drawLine( sheet, this.frames, x, ( frame ) => y( line.value( frame ) ), styleColor( takeColors[ line.take ]! ), thickness[ line.take ]! ) );
 		sheet.context.restore();
 		plot.bars.forEach( ( bar, index ) => this.drawBar( sheet, bar, x, TOP * scale + tall * index / plot.bars.length, tall / plot.bars.length ) );
 	}

@@ -42,11 +42,12 @@ export function drawRule( sheet: Sheet, y: number, color: string, opacity: numbe
 }
 
 /// Through points in turn, broken where a height is none.
-export function drawLine( sheet: Sheet, count: number, x: ( k: number ) => number, y: ( k: number ) => number, color: string ): void
+/// @param thickness in pixels of the page
+export function drawLine( sheet: Sheet, count: number, x: ( k: number ) => number, y: ( k: number ) => number, color: string, thickness: number ): void
 {
 	const { context } = sheet;
 	context.strokeStyle = color;
-	context.lineWidth = 1.5 * sheet.scale;
+	context.lineWidth = thickness * sheet.scale;
 	context.beginPath();
 	let pen = false;
 	for ( let k = 0; k < count; ++k )

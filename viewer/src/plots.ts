@@ -7,6 +7,7 @@ import { find, make, onTheme, styleColor } from './page';
 const SECONDS = 5;
 const RATE = 60;
 const SAMPLES = SECONDS * RATE;
+const THICKNESS = 1.5; // pixels of the page
 
 /// Of one foot, now.
 export interface FootFigures
@@ -134,7 +135,7 @@ export class Plots
 			const color = this.colors[ index % this.colors.length ]!;
 			const value = ( k: number ): number => ring[ ( this.head + first + k ) % SAMPLES ]!;
 			const x = ( k: number ): number => sheet.width * ( first + k ) / ( SAMPLES - 1 );
-			isLine ? drawLine( sheet, this.filled, x, ( k ) => y( value( k ) ), color )
+			isLine ? drawLine( sheet, this.filled, x, ( k ) => y( value( k ) ), color, THICKNESS )
 				: this.drawBars( sheet, value, x, color, index, plot.rings.length );
 		} );
 	}
