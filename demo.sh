@@ -10,7 +10,8 @@ if [ $# -gt 0 ]; then
 fi
 
 echo "Builds the program sole, lets the built-in mannequin walk over the built-in course, once as animated and once"
-echo "with its feet placed, and prints the figures of both side by side. Writes to build/demo and out."
+echo "with its feet placed, and prints the figures of both side by side. Ends with a page that shows both. Writes to"
+echo "build/demo and out."
 echo
 
 scripts/setup.sh build
@@ -27,9 +28,23 @@ echo "\$ sole ${command[*]}"
 $sole "${command[@]}"
 echo
 
+# The page needs npm to be built, and is left out where that cannot be had.
+page=build/report/template.html
+if { scripts/setup.sh report && scripts/build_report.sh; } > build/demo/page.log 2>&1; then
+	$sole report mannequin --ground course --template $page -o out/demo.html > /dev/null
+else
+	echo "The page out/demo.html is left out: its parts could not be had with npm (build/demo/page.log says why)."
+	echo
+	rm -f out/demo.html
+fi
+
 echo "Written:"
-find out -maxdepth 1 -type f \( -name demo.glb -o -name '*.svg' \) -newer build/demo/build.log -printf '  %p  %k KiB\n' | sort
+find out -maxdepth 1 -type f \( -name demo.glb -o -name demo.html -o -name '*.svg' \) -newer build/demo/build.log -printf '  %p  %k KiB\n' | sort
 echo
 echo "out/demo.glb holds the character, the ground and both clips (NAME|none and NAME|sole): open it in any glTF viewer"
 echo "and switch between them. The SVG files plot the height of each foot over the ground: open them in a browser."
 echo "More: $sole --help; and in the browser, to tune it: npm run viewer (docs/viewer.md)"
+if [ -e out/demo.html ]; then
+	echo
+	echo "out/demo.html shows both side by side in 3D, with plots and figures: open it in a browser, by double click."
+fi

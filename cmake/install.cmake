@@ -28,4 +28,7 @@ if( TARGET sole_program )
 		set_target_properties( sole_program PROPERTIES INSTALL_RPATH "$ORIGIN/${SOLE_BIN_TO_LIB}" )
 	endif()
 	install( TARGETS sole_program )
+	# The page that `sole report` fills, where scripts/build_report.sh has made it; the program looks for it from its own
+	# place.
+	install( FILES build/report/template.html DESTINATION ${CMAKE_INSTALL_BINDIR}/../share/sole RENAME report.html OPTIONAL )
 endif()

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what Sole's scripts need on Debian 12 and does nothing where all of it is there.
-# usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench, viewer, wasm
+# usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench, report, viewer, wasm
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -44,6 +44,13 @@ needViewer()
 {
 	needBuild
 	needWasm
+}
+
+needReport()
+{
+	needBuild
+	need nodejs node
+	need npm npm
 }
 
 needTest()
@@ -106,7 +113,7 @@ installNodePackages()
 }
 
 if [ $# -eq 0 ]; then
-	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench, viewer, wasm" >&2
+	echo "usage: scripts/setup.sh PURPOSE...    purposes: build, test, bench, report, viewer, wasm" >&2
 	exit 2
 fi
 for purpose in "$@"; do
@@ -114,9 +121,10 @@ for purpose in "$@"; do
 		build) needBuild ;;
 		test) needTest ;;
 		bench) needBench ;;
+		report) needReport ;;
 		viewer) needViewer ;;
 		wasm) needWasm ;;
-		*) echo "setup: there is no purpose '$purpose': use build, test, bench, viewer or wasm" >&2; exit 2 ;;
+		*) echo "setup: there is no purpose '$purpose': use build, test, bench, report, viewer or wasm" >&2; exit 2 ;;
 	esac
 done
 installMissing

@@ -43,6 +43,18 @@ static inline void testWriteText( const char* name, const char* text )
 	testWriteBytes( testInFolder( name ), text, strlen( text ) );
 }
 
+static inline void testWriteModel( const toolModel* model, const char* name )
+{
+	toolGltf* gltf = toolMakeGltf( model );
+	assert_non_null( gltf );
+	toolError error = { { 0 } };
+	if ( toolWriteGltf( gltf, testInFolder( name ), &error ) == false )
+	{
+		fail_msg( "%s", error.text );
+	}
+	toolFreeGltf( gltf );
+}
+
 static inline bool testIsThere( const char* name )
 {
 	struct stat info;

@@ -10,18 +10,6 @@
 
 // ---------------------------------------------------------------------------------------------------------- files
 
-static void testWriteModel( const toolModel* model, const char* name )
-{
-	toolGltf* gltf = toolMakeGltf( model );
-	assert_non_null( gltf );
-	toolError error = { { 0 } };
-	if ( toolWriteGltf( gltf, testInFolder( name ), &error ) == false )
-	{
-		fail_msg( "%s", error.text );
-	}
-	toolFreeGltf( gltf );
-}
-
 // Writes m.glb with some of its bytes replaced, at the first place where they are.
 static void testPatch( const char* name, const void* from, const void* to, size_t count )
 {

@@ -1,323 +1,306 @@
 // SPDX-License-Identifier: MIT
 // sole bake: a character's clips played over a ground with their feet placed, appended to the character's file.
-#define _XOPEN_SOURCE 700 // realpath
-#include "bake_options.h"
+#include "bake_job.h"
 #include "command.h"
-#include "evaluate.h"
 #include "figures_text.h"
 #include "plots.h"
 #include "trace_file.h"
 
+#include <getopt.h>
 #include <json-c/json.h>
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-// Everything that is open during a bake.
-typedef struct toolBakeJob
-{
-	toolBakeOptions options;
-	toolGltf* gltf;
-	toolGltf* clipsGltf;
-	toolCharacter character;
-	toolGroundSource ground;
-	soleTerrain* terrain;
-	soleSettings settings;
-	toolTraceFile trace;
-	toolClip* made;
-	int32_t madeCount;
-	struct json_object* report;
-} toolBakeJob;
+// -------------------------------------------------------------------------------------------------------- options
 
-static const toolModel* toolClipModel( const toolBakeJob* job )
+// Options of this command alone.
+enum
 {
-	return toolGltf_GetModel( job->clipsGltf != NULL ? job->clipsGltf : job->gltf );
+	tool_optionPlots = 1024,
+	tool_optionTrace,
+	tool_optionPrintSettings,
+	tool_optionWithGround,
+	tool_optionJson
+};
+
+static const struct option toolOptions[] = {
+	TOOL_BAKE_OPTIONS,
+	{ "trace", required_argument, NULL, tool_optionTrace },
+	{ "plots", required_argument, NULL, tool_optionPlots },
+	{ "print-settings", no_argument, NULL, tool_optionPrintSettings },
+	{ "with-ground", no_argument, NULL, tool_optionWithGround },
+	{ "json", no_argument, NULL, tool_optionJson },
+	{ NULL, 0, NULL, 0 },
+};
+
+static const char toolHelp[] =
+    "usage: sole bake CHARACTER --ground GROUND -o OUT.glb [options]\n"
+    "\n"
+    "Plays a character's clip over a ground with its feet placed, and writes the character's file with the result\n"
+    "as a new clip NAME|METHOD behind the others.\n"
+    "\n" TOOL_BAKE_HELP "  -o, --output FILE   where to write, .glb or .gltf\n"
+    "  --method NAME       may be given several times (default sole), see below\n"
+    "  --print-settings    print the settings that would be used, and stop\n"
+    "  --plots FOLDER      write SVG pictures there: sole heights of each foot, and the character on its way\n"
+    "  --trace FILE        record all that goes into method sole and comes out, for 'sole replay'\n"
+    "  --with-ground       add the ground to the scene\n"
+    "  --json              print what was done as JSON\n"
+    "\n"
+    "Methods:\n";
+
+typedef struct toolBakeCommand
+{
+	toolBakeOptions bake;
+	const char* plots; // folder
+	const char* trace;
+	bool withGround;
+	bool json;
+	bool printSettings;
+	bool help;
+} toolBakeCommand;
+
+// @return what is wrong, or NULL.
+static const char* toolReadOption( int option, const char* text, toolBakeCommand* command )
+{
+	switch ( option )
+	{
+	case tool_optionPlots:
+		command->plots = text;
+		return NULL;
+	case tool_optionTrace:
+		command->trace = text;
+		return NULL;
+	case tool_optionPrintSettings:
+		command->printSettings = true;
+		return NULL;
+	case tool_optionWithGround:
+		command->withGround = true;
+		return NULL;
+	case tool_optionJson:
+		command->json = true;
+		return NULL;
+	case 'h':
+		command->help = true;
+		return NULL;
+	default:
+		return toolReadBakeOption( option, text, &command->bake );
+	}
 }
 
-static bool toolOpenJobCharacter( toolBakeJob* job, toolError* error )
+// A trace is of one run of method sole.
+static const char* toolCheckTrace( const toolBakeOptions* options )
 {
-	const toolBakeOptions* options = &job->options;
-	if ( toolOpenCharacter( options->character, &job->gltf, error ) == false ||
-	    ( options->clipsFile != NULL && toolReadGltf( options->clipsFile, &job->clipsGltf, error ) == false ) )
+	bool found = options->methodCount == 0;
+	for ( int32_t i = 0; i < options->methodCount; ++i )
 	{
-		return false;
+		found = found || options->methods[i] == toolFindMethod( "sole" );
 	}
-	const toolModel* model = toolGltf_GetModel( job->gltf );
-	if ( toolMakeCharacter( model, options->character, options->scale, &job->character, error ) == false )
+	if ( found == false )
 	{
-		return false;
+		return "--trace records method sole, which is not among the methods";
 	}
-	float suggested = job->character.report.suggestedScale;
-	if ( options->autoScale && suggested > 0.0f && suggested != 1.0f )
-	{
-		toolFreeCharacter( &job->character );
-		return toolMakeCharacter( model, options->character, suggested, &job->character, error );
-	}
-	return true;
+	return options->clipCount > 1 ? "--trace records one clip" : NULL;
 }
 
-static bool toolOpenJob( toolBakeJob* job, toolError* error )
+static const char* toolCheckCommand( int rest, const toolBakeCommand* command )
 {
-	job->settings = soleDefaultSettings();
-	const char* settingsFile = job->options.settingsFile;
-	if ( settingsFile != NULL && toolReadSettings( settingsFile, &job->settings, error ) == false )
+	if ( command->printSettings )
 	{
-		return false;
+		return rest > 1 ? "one character at a time" : NULL;
 	}
-	return toolOpenJobCharacter( job, error ) && toolOpenGround( job->options.ground, &job->ground, error ) &&
-	    toolMakeTerrain( &job->ground, &job->terrain, error ) &&
-	    ( job->options.trace == NULL || toolStartTrace( &job->character.rigDef, &job->trace, error ) );
+	const char* wrong = toolCheckBakeOptions( rest, &command->bake );
+	return wrong == NULL && command->trace != NULL ? toolCheckTrace( &command->bake ) : wrong;
 }
 
-static void toolCloseJob( toolBakeJob* job )
+// @return what is wrong, or NULL.
+static const char* toolReadCommand( int argc, char** argv, toolBakeCommand* command )
 {
-	for ( int32_t i = 0; i < job->madeCount; ++i )
+	*command = ( toolBakeCommand ){ .bake = toolDefaultBakeOptions() };
+	optind = 1;
+	opterr = 0;
+	int option;
+	while ( ( option = getopt_long( argc, argv, "o:h", toolOptions, NULL ) ) != -1 )
 	{
-		toolFreeClip( job->made + i );
+		const char* wrong = toolReadOption( option, optarg, command );
+		if ( wrong != NULL || command->help )
+		{
+			return wrong;
+		}
 	}
-	free( job->made );
-	json_object_put( job->report );
-	toolFreeTrace( &job->trace );
-	toolFreeCharacter( &job->character );
-	toolFreeGltf( job->gltf );
-	toolFreeGltf( job->clipsGltf );
-	toolCloseGround( &job->ground );
-	soleDestroyTerrain( job->terrain );
-	toolFreeBakeOptions( &job->options );
+	const char* wrong = toolCheckCommand( argc - optind, command );
+	command->bake.character = argv[optind];
+	if ( command->bake.methodCount == 0 )
+	{
+		toolReadMethod( "sole", &command->bake.methods, &command->bake.methodCount );
+	}
+	return wrong;
 }
 
-// ------------------------------------------------------------------------------------------------------- one clip
-
-// One method's take of a clip.
-typedef struct toolBakedTake
+static int toolPrintSettings( const toolBakeOptions* options )
 {
-	const char* method;
-	soleFigures figures;
-	soleFigures reference; // of the clip on flat ground, feet untouched
-	toolBakeResult result;
-} toolBakedTake;
+	toolError error;
+	soleSettings settings = soleDefaultSettings();
+	if ( options->settingsFile != NULL && toolReadSettings( options->settingsFile, &settings, &error ) == false )
+	{
+		return toolReportFailure( &error );
+	}
+	char* text = toolFormatSettings( &settings );
+	fputs( text, stdout );
+	free( text );
+	return tool_done;
+}
 
-static void toolReportTake(
-    toolBakeJob* job, const char* clip, const toolBakeResult* result, const toolBakedTake* taken )
+// ----------------------------------------------------------------------------------------------------------- tell
+
+static void toolPrintWay( const toolBakedTake* taken )
 {
-	const toolWalk* walk = &result->walk;
-	double duration = (double)( walk->frameCount - 1 ) / walk->fps;
+	const toolWalk* walk = &taken->result.walk;
 	soleVec3 a = walk->roots[0].translation;
 	soleVec3 b = walk->roots[walk->frameCount - 1].translation;
-	if ( job->options.json == false )
-	{
-		printf( "%s: %d frames at %g Hz, %.2f s, from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) at %.2f m/s\n", clip,
-		    walk->frameCount, walk->fps, duration, (double)a.x, (double)a.y, (double)a.z, (double)b.x, (double)b.y,
-		    (double)b.z, walk->speed );
-		return;
-	}
-	struct json_object* entry = toolFiguresToJson( job->character.rig, &taken->figures );
-	json_object_object_add( entry, "clip", json_object_new_string( clip ) );
-	json_object_object_add( entry, "method", json_object_new_string( taken->method ) );
-	json_object_object_add( entry, "frames", json_object_new_int( walk->frameCount ) );
-	json_object_object_add( entry, "fps", json_object_new_double( walk->fps ) );
-	json_object_object_add( entry, "duration", json_object_new_double( duration ) );
-	json_object_object_add( entry, "speed", json_object_new_double( walk->speed ) );
-	json_object_object_add( entry, "rate", json_object_new_double( walk->rate ) );
-	json_object_object_add( entry, "ratios", toolRatiosToJson( &taken->figures, &taken->reference ) );
-	json_object_array_add( json_object_object_get( job->report, "clips" ), entry );
+	printf( "%s: %d frames at %g Hz, %.2f s, from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) at %.2f m/s\n", taken->name,
+	    walk->frameCount, walk->fps, (double)( walk->frameCount - 1 ) / walk->fps, (double)a.x, (double)a.y,
+	    (double)a.z, (double)b.x, (double)b.y, (double)b.z, walk->speed );
 }
 
-static void toolPrintTakes( const toolBakeJob* job, const toolBakedTake* takes )
+static void toolPrintTakes( const toolBakeJob* job, const toolBakedClip* baked )
 {
-	int32_t count = job->options.methodCount;
+	int32_t count = baked->takeCount;
 	toolFigureColumn* columns = toolAlloc( (size_t)count + 1, sizeof *columns );
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		columns[i] = ( toolFigureColumn ){ takes[i].method, &takes[i].figures, &takes[i].reference, NULL };
+		const toolBakedTake* taken = baked->takes + i;
+		toolPrintWay( taken );
+		columns[i] = ( toolFigureColumn ){ taken->method->name, &taken->figures, &taken->reference, NULL };
 	}
-	columns[count] = ( toolFigureColumn ){ "reference", &takes[0].reference, NULL, NULL };
+	columns[count] = ( toolFigureColumn ){ "reference", &baked->takes[0].reference, NULL, NULL };
 	puts( "" );
 	toolPrintFigures( stdout, job->character.rig, columns, count + 1 );
 	puts( "" );
 	free( columns );
 }
 
-static int toolFolderLength( const char* path )
+static struct json_object* toolTakeToJson( const toolBakeJob* job, const toolBakedTake* taken )
 {
-	const char* slash = strrchr( path, '/' );
-	return slash != NULL ? (int)( slash - path ) + 1 : 0;
+	const toolWalk* walk = &taken->result.walk;
+	struct json_object* entry = toolFiguresToJson( job->character.rig, &taken->figures );
+	json_object_object_add( entry, "clip", json_object_new_string( taken->name ) );
+	json_object_object_add( entry, "method", json_object_new_string( taken->method->name ) );
+	json_object_object_add( entry, "frames", json_object_new_int( walk->frameCount ) );
+	json_object_object_add( entry, "fps", json_object_new_double( walk->fps ) );
+	json_object_object_add( entry, "duration", json_object_new_double( (double)( walk->frameCount - 1 ) / walk->fps ) );
+	json_object_object_add( entry, "speed", json_object_new_double( walk->speed ) );
+	json_object_object_add( entry, "rate", json_object_new_double( walk->rate ) );
+	json_object_object_add( entry, "ratios", toolRatiosToJson( &taken->figures, &taken->reference ) );
+	return entry;
 }
 
-// The file of the clips as seen from the output, for its extras: by name where both are in one folder. NULL: the
-// character's own file.
-static char* toolNameClipsFile( const toolBakeOptions* options )
+static void toolTellTakes(
+    const toolBakeCommand* command, const toolBakeJob* job, const toolBakedClip* baked, struct json_object* list )
 {
-	const char* clips = options->clipsFile;
-	if ( clips == NULL )
+	if ( command->json == false )
 	{
-		return NULL;
+		toolPrintTakes( job, baked );
+		return;
 	}
-	int length = toolFolderLength( clips );
-	bool together =
-	    length == toolFolderLength( options->output ) && strncmp( clips, options->output, (size_t)length ) == 0;
-	char* full = together ? NULL : realpath( clips, NULL );
-	char* name = toolCopyString( full != NULL ? full : clips + length );
-	free( full );
-	return name;
+	for ( int32_t i = 0; i < baked->takeCount; ++i )
+	{
+		json_object_array_add( list, toolTakeToJson( job, baked->takes + i ) );
+	}
 }
 
-// A second clip of a name could not be told from the first.
-static bool toolCheckNameFree( const toolBakeJob* job, const char* clip, const char* method, toolError* error )
+static bool toolPlotTakes( const char* folder, const toolBakeJob* job, const toolBakedClip* baked, toolError* error )
 {
-	char* name = toolFormat( "%s|%s", clip, method );
-	bool taken = toolFindClip( toolGltf_GetModel( job->gltf ), name ) != SOLE_NONE;
-	if ( taken )
+	toolPlotTake* plots = toolAlloc( (size_t)baked->takeCount, sizeof *plots );
+	for ( int32_t i = 0; i < baked->takeCount; ++i )
 	{
-		toolFail( error, "%s: already has a clip '%s': bake from the file without it", job->options.character, name );
+		plots[i] = ( toolPlotTake ){ baked->takes[i].method->name, &baked->takes[i].result };
 	}
-	free( name );
-	return taken == false;
-}
-
-static bool toolBakeMethod( toolBakeJob* job, const toolBoundClip* bound, const toolTravel* travel,
-    const toolBakeDef* def, toolBakedTake* taken, toolError* error )
-{
-	toolBakeResult* result = &taken->result;
-	if ( toolBake( &job->character, bound, travel, job->ground.ground, def, result, error ) == false )
-	{
-		return false;
-	}
-	taken->method = def->method->name;
-	job->made = toolGrow( job->made, (size_t)job->madeCount + 1, sizeof *job->made );
-	toolClip* clip = job->made + job->madeCount++;
-	char* clipsFile = toolNameClipsFile( &job->options );
-	toolMakeBakedClip( &job->character, bound, travel, taken->method, clipsFile, result, clip );
-	free( clipsFile );
-	if ( toolMeasureBake( &job->character, result, job->terrain, &taken->figures, &taken->reference, error ) == false )
-	{
-		return toolFailIn( error, job->options.character );
-	}
-	toolReportTake( job, clip->name, result, taken );
-	return true;
-}
-
-static bool toolPlotTakes( const toolBakeJob* job, const toolBakedTake* takes, toolError* error )
-{
-	int32_t count = job->options.methodCount;
-	toolPlotTake* plots = toolAlloc( (size_t)count, sizeof *plots );
-	for ( int32_t i = 0; i < count; ++i )
-	{
-		plots[i] = ( toolPlotTake ){ takes[i].method, &takes[i].result };
-	}
-	bool good = toolWritePlots( job->options.plots, &job->character, &job->ground, job->terrain, plots, count, error );
+	bool good = toolWritePlots( folder, &job->character, &job->ground, job->terrain, plots, baked->takeCount, error );
 	free( plots );
-	return good;
-}
-
-static bool toolBakeMethods( toolBakeJob* job, const toolBoundClip* bound, toolError* error )
-{
-	const toolBakeOptions* options = &job->options;
-	toolTravel travel = toolFindTravel( &job->character, bound );
-	toolBakeDef def = toolDefaultBakeDef();
-	toolPlace start;
-	def.settings = &job->settings;
-	def.groundName = options->ground;
-	def.speed = options->speed;
-	def.duration = options->duration;
-	def.fps = options->fps;
-	if ( toolLayWay( &options->way, &job->character, &travel, &job->ground, &start, &def, error ) == false )
-	{
-		return false;
-	}
-	toolBakedTake* takes = toolAlloc( (size_t)options->methodCount, sizeof *takes );
-	bool good = true;
-	for ( int32_t i = 0; i < options->methodCount && good; ++i )
-	{
-		def.method = options->methods[i];
-		def.tracer = def.method == toolFindMethod( "sole" ) ? job->trace.tracer : NULL;
-		good = toolCheckNameFree( job, bound->clip->name, def.method->name, error ) &&
-		    toolBakeMethod( job, bound, &travel, &def, takes + i, error );
-	}
-	if ( good && options->json == false )
-	{
-		toolPrintTakes( job, takes );
-	}
-	good = good && ( options->plots == NULL || toolPlotTakes( job, takes, error ) );
-	for ( int32_t i = 0; i < options->methodCount; ++i )
-	{
-		toolFreeBakeResult( &takes[i].result );
-	}
-	free( takes );
 	return good;
 }
 
 // --------------------------------------------------------------------------------------------------------- bake
 
-static bool toolBakeClips( toolBakeJob* job, toolError* error )
+static bool toolBakeClips(
+    const toolBakeCommand* command, toolBakeJob* job, struct json_object* list, toolError* error )
 {
-	const toolBakeOptions* options = &job->options;
-	const toolModel* model = toolClipModel( job );
-	const char* file = options->clipsFile != NULL ? options->clipsFile : options->character;
-	int32_t count = options->clipCount > 0 ? options->clipCount : 1;
-	for ( int32_t i = 0; i < count; ++i )
+	bool good = true;
+	for ( int32_t i = 0; i < toolCountJobClips( job ) && good; ++i )
 	{
-		toolProgress( "baking", (double)i / (double)count );
-		const char* name = options->clipCount > 0 ? options->clips[i] : NULL;
-		toolBoundClip bound;
-		if ( toolBindNamedClip( &job->character, model, file, name, &bound, error ) == false )
+		toolBakedClip baked;
+		good = toolBakeJobClip( job, i, &baked, error );
+		if ( good )
 		{
-			return false;
+			toolTellTakes( command, job, &baked, list );
+			good = command->plots == NULL || toolPlotTakes( command->plots, job, &baked, error );
 		}
-		bool good = toolBakeMethods( job, &bound, error );
-		toolFreeBoundClip( &bound );
-		if ( good == false )
-		{
-			return false;
-		}
+		toolFreeBakedClip( &baked );
 	}
-	toolProgress( "baking", 1.0 );
-	return true;
+	return good;
 }
 
-static bool toolWriteBake( toolBakeJob* job, toolError* error )
+static bool toolAddGroundScene( toolBakeJob* job, toolError* error )
 {
-	for ( int32_t i = 0; i < job->madeCount; ++i )
+	toolModel scene;
+	toolMakeGroundModel( &job->ground, &scene );
+	bool good = toolGltf_AppendScene( job->gltf, &scene, error );
+	toolFreeModel( &scene );
+	return good;
+}
+
+static bool toolBakeAll(
+    const toolBakeCommand* command, toolBakeJob* job, toolTraceFile* trace, struct json_object* list, toolError* error )
+{
+	if ( toolOpenBakeJob( &command->bake, job, error ) == false ||
+	    ( command->trace != NULL && toolStartTrace( &job->character.rigDef, trace, error ) == false ) )
 	{
-		if ( toolGltf_AppendClip( job->gltf, job->made + i, error ) == false )
-		{
-			return false;
-		}
+		return false;
 	}
-	if ( job->options.withGround )
+	job->tracer = trace->tracer;
+	return toolBakeClips( command, job, list, error ) && toolAppendBakes( job, error ) &&
+	    ( command->withGround == false || toolAddGroundScene( job, error ) ) &&
+	    ( command->trace == NULL || toolWriteTrace( trace, command->trace, error ) ) &&
+	    toolWriteGltf( job->gltf, command->bake.output, error );
+}
+
+static int toolBakeAndTell( const toolBakeCommand* command )
+{
+	toolError error = { { 0 } };
+	toolBakeJob job = { 0 };
+	toolTraceFile trace = { 0 };
+	struct json_object* report = json_object_new_object();
+	struct json_object* list = json_object_new_array();
+	json_object_object_add( report, "file", json_object_new_string( command->bake.output ) );
+	json_object_object_add( report, "clips", list );
+	bool good = toolBakeAll( command, &job, &trace, list, &error );
+	if ( good && command->json )
 	{
-		toolModel scene;
-		toolMakeGroundModel( &job->ground, &scene );
-		bool good = toolGltf_AppendScene( job->gltf, &scene, error );
-		toolFreeModel( &scene );
-		if ( good == false )
-		{
-			return false;
-		}
+		puts( json_object_to_json_string_ext( report, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_NOSLASHESCAPE ) );
 	}
-	return ( job->options.trace == NULL || toolWriteTrace( &job->trace, job->options.trace, error ) ) &&
-	    toolWriteGltf( job->gltf, job->options.output, error );
+	json_object_put( report );
+	toolFreeTrace( &trace );
+	toolCloseBakeJob( &job );
+	return good ? tool_done : toolReportFailure( &error );
 }
 
 int toolRunBake( int argc, char** argv )
 {
-	toolBakeJob job = { 0 };
-	int status = toolReadBakeOptions( argc, argv, &job.options );
-	if ( status != tool_goOn )
+	toolBakeCommand command;
+	const char* wrong = toolReadCommand( argc, argv, &command );
+	int status = tool_done;
+	if ( wrong != NULL )
 	{
-		toolFreeBakeOptions( &job.options );
-		return status;
+		status = toolReportUsage( "bake", wrong );
 	}
-	toolError error = { { 0 } };
-	job.report = json_object_new_object();
-	json_object_object_add( job.report, "file", json_object_new_string( job.options.output ) );
-	json_object_object_add( job.report, "clips", json_object_new_array() );
-	bool good = toolOpenJob( &job, &error ) && toolBakeClips( &job, &error ) && toolWriteBake( &job, &error );
-	if ( good && job.options.json )
+	else if ( command.help )
 	{
-		puts( json_object_to_json_string_ext( job.report, JSON_C_TO_STRING_PRETTY | JSON_C_TO_STRING_NOSLASHESCAPE ) );
+		fputs( toolHelp, stdout );
+		toolPrintMethods();
 	}
-	status = good ? tool_done : toolReportFailure( &error );
-	toolCloseJob( &job );
+	else
+	{
+		status = command.printSettings ? toolPrintSettings( &command.bake ) : toolBakeAndTell( &command );
+	}
+	toolFreeBakeOptions( &command.bake );
 	return status;
 }

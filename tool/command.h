@@ -32,6 +32,7 @@ int toolRunMeasure( int argc, char** argv );
 /// measure --table
 int toolRunMeasureTable( int argc, char** argv );
 int toolRunCompare( int argc, char** argv );
+int toolRunReport( int argc, char** argv );
 int toolRunLabel( int argc, char** argv );
 int toolRunReplay( int argc, char** argv );
 int toolRunSettings( int argc, char** argv );

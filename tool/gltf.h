@@ -29,5 +29,8 @@ bool toolGltf_AppendScene( toolGltf* gltf, const toolModel* scene, toolError* er
 /// .glb, or .gltf with a .bin beside it, by the path's ending. With nothing appended a .glb comes out byte for byte as
 /// it was read.
 bool toolWriteGltf( const toolGltf* gltf, const char* path, toolError* error );
+/// The file as a .glb in memory, which free() ends.
+/// @param path for messages
+bool toolPackGlb( const toolGltf* gltf, const char* path, uint8_t** bytes, size_t* byteCount, toolError* error );
 
 #endif

@@ -173,7 +173,7 @@ static size_t toolPutChunk( uint8_t* out, uint32_t type, const void* bytes, size
 	return 8 + padded;
 }
 
-static bool toolWriteGlb( const toolGltf* gltf, const char* path, toolError* error )
+bool toolPackGlb( const toolGltf* gltf, const char* path, uint8_t** bytes, size_t* byteCount, toolError* error )
 {
 	size_t most = 12 + 8 + gltf->jsonCount + 3 + 8 + gltf->binCount + 3 + gltf->restCount;
 	if ( most > UINT32_MAX )
@@ -196,8 +196,21 @@ static bool toolWriteGlb( const toolGltf* gltf, const char* path, toolError* err
 		at += gltf->restCount;
 	}
 	toolPutU32( out + 8, at );
-	bool good = toolWriteFile( path, out, at, error );
-	free( out );
+	*bytes = out;
+	*byteCount = at;
+	return true;
+}
+
+static bool toolWriteGlb( const toolGltf* gltf, const char* path, toolError* error )
+{
+	uint8_t* bytes = NULL;
+	size_t byteCount = 0;
+	if ( toolPackGlb( gltf, path, &bytes, &byteCount, error ) == false )
+	{
+		return false;
+	}
+	bool good = toolWriteFile( path, bytes, byteCount, error );
+	free( bytes );
 	return good;
 }
 

@@ -17,6 +17,7 @@ static const toolCommand toolCommands[] = {
 	{ "bake", "plays a clip over a ground with its feet placed, into a new clip of the file", toolRunBake },
 	{ "measure", "prints how well the feet of a clip stand on a ground", toolRunMeasure },
 	{ "compare", "prints the figures of all methods side by side", toolRunCompare },
+	{ "report", "writes one page that shows a clip before and after, in 3D, with plots and figures", toolRunReport },
 	{ "label", "prints when which foot is in contact, per clip", toolRunLabel },
 	{ "replay", "plays a recorded trace and compares it bit by bit", toolRunReplay },
 	{ "settings", "lists every tunable with its unit, range and default", toolRunSettings },

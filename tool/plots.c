@@ -3,6 +3,7 @@
 // centimetres; below zero a sole is in the ground. Poses are drawn in the world of the ground.
 #include "plots.h"
 
+#include "curves.h"
 #include "draw.h"
 #include "skin.h"
 
@@ -17,45 +18,13 @@
 
 // ---------------------------------------------------------------------------------------------------------- heights
 
-/// Height of the lowest sole point of a leg in a frame, m; NaN where there is no ground below it.
-static float toolSoleHeight( const toolCharacter* character, const toolBakeResult* result, const soleTerrain* terrain,
-    int32_t leg, int32_t frame )
-{
-	const soleTransform* pose = result->output + (size_t)frame * (size_t)result->jointCount;
-	float reach = 0.5f * soleRig_GetLegLength( character->rig, leg );
-	double lowest = (double)NAN;
-	int32_t joint = SOLE_NONE;
-	soleTransform world = soleTransform_Identity();
-	for ( int32_t i = 0; i < character->pointCount; ++i )
-	{
-		const soleMeasurePoint* point = character->points + i;
-		if ( point->leg != leg )
-		{
-			continue;
-		}
-		if ( point->joint != joint )
-		{
-			joint = point->joint;
-			world = pose[joint];
-			for ( int32_t j = character->parents[joint]; j != SOLE_NONE; j = character->parents[j] )
-			{
-				world = soleMulTransform( pose[j], world );
-			}
-			world = soleMulTransform( result->walk.roots[frame], world );
-		}
-		double gap = soleTerrain_GetGap( terrain, soleTransformPoint( world, point->position ), (double)reach );
-		lowest = gap < lowest || isnan( lowest ) ? gap : lowest;
-	}
-	return (float)lowest;
-}
-
 static int32_t toolFindPlanted( const toolBakeResult* result, int32_t leg, toolInterval* intervals )
 {
 	int32_t count = 0;
 	bool open = false;
 	for ( int32_t f = 0; f < result->walk.frameCount; ++f )
 	{
-		bool planted = ( result->flags[f * result->legCount + leg] & (uint32_t)sole_legPlanted ) != 0;
+		bool planted = toolIsPlanted( result, leg, f );
 		float time = (float)( (double)f / result->walk.fps );
 		if ( planted && open == false )
 		{
@@ -84,9 +53,8 @@ static bool toolPlotLeg( const char* folder, const toolCharacter* character, con
     const toolPlotTake* takes, int32_t takeCount, int32_t leg, toolError* error )
 {
 	int32_t frames = takes[0].result->walk.frameCount;
-	size_t size = (size_t)frames * (size_t)takeCount;
 	float* times = toolAlloc( (size_t)frames, sizeof *times );
-	float* heights = toolAlloc( size, sizeof *heights );
+	float* heights = toolAlloc( (size_t)frames * (size_t)takeCount, sizeof *heights );
 	toolSeries* series = toolAlloc( (size_t)takeCount, sizeof *series );
 	toolInterval* planted = toolAlloc( (size_t)frames, sizeof *planted );
 	int32_t plantedCount = 0;
@@ -98,12 +66,12 @@ static bool toolPlotLeg( const char* folder, const toolCharacter* character, con
 	{
 		const toolBakeResult* result = takes[t].result;
 		float* row = heights + (size_t)t * (size_t)frames;
-		int32_t count = result->walk.frameCount < frames ? result->walk.frameCount : frames;
-		for ( int32_t f = 0; f < count; ++f )
+		toolMakeHeightCurve( character, result, terrain, leg, row );
+		for ( int32_t f = 0; f < frames; ++f )
 		{
-			row[f] = 100.0f * toolSoleHeight( character, result, terrain, leg, f );
+			row[f] *= 100.0f; // cm
 		}
-		series[t] = ( toolSeries ){ .name = takes[t].method, .count = count, .x = times, .y = row };
+		series[t] = ( toolSeries ){ .name = takes[t].method, .count = frames, .x = times, .y = row };
 		plantedCount = plantedCount > 0 ? plantedCount : toolFindPlanted( result, leg, planted );
 	}
 	const char* legName = soleRig_GetLeg( character->rig, leg ).name;

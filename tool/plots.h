@@ -6,7 +6,7 @@
 #include "bake.h"
 #include "source.h"
 
-/// One method's take.
+/// One method's take. All takes of a plot are of the same walk.
 typedef struct toolPlotTake
 {
 	const char* method;

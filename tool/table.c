@@ -85,6 +85,13 @@ double toolGetRowReference( const toolTableCell* cell, toolRowFigure figure )
 	return toolPickFigure( &cell->reference, figure );
 }
 
+double toolGetLimit( const toolTarget* target, const toolTableCell* cell )
+{
+	double ofInput =
+	    target->ofInput > 0.0 ? target->ofInput * toolGetRowReference( cell, target->figure ) : target->limit;
+	return fmax( target->limit, ofInput );
+}
+
 double toolGetExcess( const toolTarget* target, const toolTableCell* cell )
 {
 	// Without contacts figures over contacts are empty, not good.
@@ -93,11 +100,7 @@ double toolGetExcess( const toolTarget* target, const toolTableCell* cell )
 		return (double)NAN;
 	}
 	double figure = toolGetRowFigure( cell, target->figure );
-	double limit = target->limit;
-	if ( target->ofInput > 0.0 )
-	{
-		limit = fmax( limit, target->ofInput * toolGetRowReference( cell, target->figure ) );
-	}
+	double limit = toolGetLimit( target, cell );
 	if ( limit <= 0.0 )
 	{
 		return 1.0 + figure;

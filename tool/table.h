@@ -67,6 +67,8 @@ typedef struct toolTarget
 
 const toolTarget* toolGetTargets( int32_t* count );
 
+/// What the figure of a cell is held to, SI.
+double toolGetLimit( const toolTarget* target, const toolTableCell* cell );
 /// How many times its limit a figure is, or how many times below it where it must be at least that: up to 1 the target
 /// holds. Against a limit of 0 one more than the figure. Not a number where the target says nothing of the cell.
 double toolGetExcess( const toolTarget* target, const toolTableCell* cell );

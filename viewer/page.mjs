@@ -47,33 +47,47 @@ export async function openBrowser()
 	};
 }
 
-/// A page that is ready. What it says on its console as an error ends up in `errors`.
-export async function openPage( host, query, options = {} )
+/// The page at an address, when it is ready. What it says on its console as an error ends up in `errors`, what it asks
+/// for in `requests`.
+export async function openAt( host, address, options = {} )
 {
 	const context = await host.browser.newContext( { viewport: { width: 1366, height: 768 }, colorScheme: 'light', ...options } );
 	const page = await context.newPage();
 	const errors = [];
+	const requests = [];
 	page.on( 'console', ( message ) => { if ( message.type() === 'error' ) { errors.push( message.text() ); } } );
 	page.on( 'pageerror', ( error ) => errors.push( String( error ) ) );
-	await page.goto( `${host.address}?${query}` );
+	page.on( 'request', ( request ) => requests.push( request.url() ) );
+	await page.goto( address );
 	await page.waitForSelector( 'html[data-ready]', { state: 'attached', timeout: 20000 } ).catch( async ( error ) =>
 	{
 		throw new Error( `${error.message}\n${await page.locator( '#messages' ).innerText()}\n${errors.join( '\n' )}` );
 	} );
-	return { page, errors, close: () => context.close() };
+	return { page, errors, requests, close: () => context.close() };
+}
+
+/// The viewer.
+export function openPage( host, query, options )
+{
+	return openAt( host, `${host.address}?${query}`, options );
 }
 
 /// A page for one test, which ends without errors. Small, for pictures are drawn without a graphics card.
-export async function usePage( host, query, run, options )
+export async function useAt( host, address, run, options )
 {
-	const opened = await openPage( host, `manual=1&${query}`, { viewport: { width: 900, height: 560 }, ...options } );
+	const opened = await openAt( host, address, { viewport: { width: 900, height: 560 }, ...options } );
 	try
 	{
-		await run( opened.page );
+		await run( opened.page, opened.requests );
 		assert.deepEqual( opened.errors, [] );
 	}
 	finally
 	{
 		await opened.close();
 	}
+}
+
+export function usePage( host, query, run, options )
+{
+	return useAt( host, `${host.address}?manual=1&${query}`, run, options );
 }

@@ -19,6 +19,9 @@ check()
 	( cd include && find sole -type f | sort ) > "$work/headers"
 	( cd "$prefix/include" && find . -type f -printf '%P\n' | sort ) | diff "$work/headers" -
 	"$prefix/bin/sole" --version
+	if [ -e build/report/template.html ]; then
+		"$prefix/bin/sole" report mannequin --ground T01 --distance 1 -o "$work/report.html"
+	fi
 	if grep -rn 'sole_flags\|-W\|-ffp' "$prefix/lib/cmake" "$prefix/lib/pkgconfig"; then
 		echo "Sole's own compile options leak into its packages" >&2
 		return 1

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Figures of the last seconds as scrolling plots, a line per foot: height of the sole over the ground (below zero:
 // inside it), how fast it slides while it stands, how far the leg is extended, and when it stands.
+import { drawLine, drawRule, openSheet, type Sheet } from './chart';
 import { find, make, onTheme, styleColor } from './page';
 
 const SECONDS = 5;
 const RATE = 60;
 const SAMPLES = SECONDS * RATE;
+const THICKNESS = 1.5; // pixels of the page
 
 /// Of one foot, now.
 export interface FootFigures
@@ -116,70 +118,42 @@ export class Plots
 
 	private drawPlot( plot: Plot ): void
 	{
-		const canvas = plot.canvas;
-		const scale = Math.min( devicePixelRatio, 2 );
-		const width = Math.round( canvas.clientWidth * scale );
-		const height = Math.round( canvas.clientHeight * scale );
-		if ( width === 0 || height === 0 )
+		const sheet = openSheet( plot.canvas );
+		if ( sheet === null )
 		{
 			return;
 		}
-		if ( canvas.width !== width || canvas.height !== height )
+		const y = ( value: number ): number => sheet.height * ( 1 - ( value - plot.low ) / ( plot.high - plot.low ) );
+		const first = SAMPLES - this.filled;
+		const isLine = Number.isFinite( plot.line );
+		if ( isLine )
 		{
-			canvas.width = width;
-			canvas.height = height;
-		}
-		const context = canvas.getContext( '2d' )!;
-		context.clearRect( 0, 0, width, height );
-		const y = ( value: number ): number => height * ( 1 - ( value - plot.low ) / ( plot.high - plot.low ) );
-		if ( Number.isFinite( plot.line ) )
-		{
-			context.fillStyle = this.ink;
-			context.globalAlpha = 0.5;
-			context.fillRect( 0, y( plot.line ), width, 1 );
-			context.globalAlpha = 1;
+			drawRule( sheet, y( plot.line ), this.ink, 0.5 );
 		}
 		plot.rings.forEach( ( ring, index ) =>
 		{
-			context.strokeStyle = context.fillStyle = this.colors[ index % this.colors.length ]!;
-			Number.isFinite( plot.line ) ? this.drawLine( context, ring, width, y, scale ) : this.drawBars( context, ring, width, height, index, plot.rings.length );
+			const color = this.colors[ index % this.colors.length ]!;
+			const value = ( k: number ): number => ring[ ( this.head + first + k ) % SAMPLES ]!;
+			const x = ( k: number ): number => sheet.width * ( first + k ) / ( SAMPLES - 1 );
+			isLine ? drawLine( sheet, this.filled, x, ( k ) => y( value( k ) ), color, THICKNESS )
+				: this.drawBars( sheet, value, x, color, index, plot.rings.length );
 		} );
 	}
 
-	/// Calls with each sample that there is, oldest first, and its place across.
-	private walk( ring: Float32Array, width: number, visit: ( value: number, x: number ) => void ): void
+	private drawBars( sheet: Sheet, value: ( k: number ) => number, x: ( k: number ) => number, color: string, index: number, count: number ): void
 	{
-		for ( let k = SAMPLES - this.filled; k < SAMPLES; ++k )
+		const { context } = sheet;
+		const row = sheet.height / count;
+		context.fillStyle = color;
+		for ( let k = 0; k < this.filled; ++k )
 		{
-			visit( ring[ ( this.head + k ) % SAMPLES ]!, width * k / ( SAMPLES - 1 ) );
-		}
-	}
-
-	private drawLine( context: CanvasRenderingContext2D, ring: Float32Array, width: number, y: ( value: number ) => number, scale: number ): void
-	{
-		context.lineWidth = 1.5 * scale;
-		context.beginPath();
-		let pen = false;
-		this.walk( ring, width, ( value, x ) =>
-		{
-			Number.isFinite( value ) && pen ? context.lineTo( x, y( value ) ) : context.moveTo( x, y( value ) );
-			pen = Number.isFinite( value );
-		} );
-		context.stroke();
-	}
-
-	private drawBars( context: CanvasRenderingContext2D, ring: Float32Array, width: number, height: number, index: number, count: number ): void
-	{
-		const row = height / count;
-		this.walk( ring, width, ( value, x ) =>
-		{
-			if ( value > 0 )
+			if ( value( k ) > 0 )
 			{
-				context.globalAlpha = value > 0.5 ? 1 : 0.35;
-				const from = Math.round( x );
-				context.fillRect( from, ( index + 0.2 ) * row, Math.round( x + width / ( SAMPLES - 1 ) ) - from, 0.6 * row );
+				context.globalAlpha = value( k ) > 0.5 ? 1 : 0.35;
+				const from = Math.round( x( k ) );
+				context.fillRect( from, ( index + 0.2 ) * row, Math.round( x( k + 1 ) ) - from, 0.6 * row );
 			}
-		} );
+		}
 		context.globalAlpha = 1;
 	}
 }
