@@ -11,12 +11,14 @@ import { GroundShape } from './ground';
 import { Dragger, Keys } from './input';
 import { Inspector } from './inspector';
 import { Labels, type Label } from './labels';
+import { openMethods } from './methods';
+import { FEET_LAYERS } from './motion';
 import type { Library, Shape } from './library';
 import { addTab, find, make, messageOf, say, setTheme } from './page';
-import { methodCaptions, methodChoices, Pickers } from './pickers';
+import { methodLabels, Pickers, readMethods } from './pickers';
 import { Plots } from './plots';
 import { ScenePage, defaultSceneChoices, type SceneChoices } from './scene-page';
-import { Session } from './session';
+import { needsMethods, Session } from './session';
 import { applySwitches } from './settings';
 import { ShowPage } from './show-page';
 import { LAYER_FIRST, LAYER_SECOND, Stage } from './stage';
@@ -64,7 +66,7 @@ export class Viewer
 			character: ( name ) => void this.attempt( () => this.pickCharacter( name ) ),
 			clip: () => this.begin(),
 			ground: ( name ) => void this.attempt( () => this.pickGround( name ) ),
-			method: () => this.begin(),
+			method: () => void this.attempt( () => this.pickMethods() ),
 			files: ( files ) => void this.openFiles( files ),
 			link: () => void this.copyLink(),
 		} );
@@ -97,9 +99,12 @@ export class Viewer
 		this.listClips( this.address.clip );
 		this.pickers.show( 'character', this.model.name );
 		this.pickers.show( 'ground', this.shape.name );
-		const method = this.address.method ?? 'both';
-		this.pickers.show( 'method', method in methodChoices ? method : 'both' );
-		this.begin();
+		this.pickers.methods = readMethods( this.address.method );
+		if ( this.address.mode === null )
+		{
+			this.fitMode( null );
+		}
+		await this.pickMethods();
 		if ( this.address.set.length > 0 )
 		{
 			this.inspector.chooseChanges( Object.fromEntries( this.address.set ) );
@@ -133,7 +138,7 @@ export class Viewer
 	private async loadGround( name: string ): Promise<GroundShape>
 	{
 		const sample = this.samples.find( ( one ) => one.name === name );
-		return new GroundShape( name, ( await parseGlb( name, await fetchSample( name ) ) ).scene, sample?.path );
+		return new GroundShape( name, ( await parseGlb( name, await fetchSample( name ) ) ).scene, sample );
 	}
 
 	private async pickCharacter( name: string ): Promise<void>
@@ -149,6 +154,28 @@ export class Viewer
 		if ( name !== this.shape.name )
 		{
 			this.takeGround( await this.loadGround( name ) );
+		}
+	}
+
+	/// The ancestors are loaded when one of them is first wanted.
+	private async pickMethods(): Promise<void>
+	{
+		if ( needsMethods( this.pickers.methods ) )
+		{
+			await openMethods();
+		}
+		this.begin();
+	}
+
+	/// A ground that moves is stood on, one that does not is walked over; who goes by keys goes on.
+	private fitMode( before: GroundShape | null ): void
+	{
+		const moved = ( before?.duration ?? null ) !== null;
+		const moves = this.shape.duration !== null;
+		if ( moved !== moves && this.choices.mode !== 'keys' )
+		{
+			this.choices.mode = moves ? 'stand' : 'path';
+			this.scenePage.refresh();
 		}
 	}
 
@@ -173,8 +200,10 @@ export class Viewer
 
 	private takeGround( shape: GroundShape ): void
 	{
-		this.shape.dispose();
+		const before = this.shape;
+		before.dispose();
 		this.shape = shape;
+		this.fitMode( before );
 		this.begin();
 	}
 
@@ -220,24 +249,21 @@ export class Viewer
 
 	// --------------------------------------------------------------------------------------------------------- session
 
-	private get methods(): typeof methodChoices[ string ][ 'methods' ]
-	{
-		return methodChoices[ this.pickers.value( 'method' ) ]?.methods ?? [ 'sole' ];
-	}
-
 	/// A new session of what is loaded and chosen. Throws where that can't be.
 	begin(): void
 	{
 		const clip = this.model.findClip( this.pickers.value( 'clip' ) );
-		const session = new Session( this.model, this.shape, clip, { ...this.choices, methods: this.methods } );
+		const { methods } = this.pickers;
+		const session = new Session( this.model, this.shape, clip, { ...this.choices, methods } );
 		const first = this.session === undefined || this.session.model !== this.model || this.session.shape !== this.shape;
 		this.session?.dispose();
 		this.session = session;
-		this.stage.scene.add( session.group, this.shape.mesh );
-		this.stage.views = this.methods.length > 1 && this.choices.count === 1 ? [ LAYER_FIRST, LAYER_SECOND ] : [ LAYER_FIRST ];
+		this.stage.scene.add( session.group, this.shape.group );
+		this.stage.views = methods.length > 1 && this.choices.count === 1 ? [ LAYER_FIRST, LAYER_SECOND ] : [ LAYER_FIRST ];
 		this.gizmos.setLayer( session.heroView === 0 ? LAYER_FIRST : LAYER_SECOND );
-		const shown = this.choices.count > 1 ? this.methods.slice( -1 ) : this.methods;
-		find( 'captions' ).replaceChildren( ...shown.map( ( method ) => make( 'span', {}, methodCaptions[ method ] ) ) );
+		const shown = this.choices.count > 1 ? methods.slice( -1 ) : methods;
+		find( 'captions' ).replaceChildren( ...shown.map( ( method ) =>
+			make( 'span', {}, method === 'none' ? methodLabels.none : `placed by ${methodLabels[ method ]}` ) ) );
 		this.checks.show( session.findings );
 		this.takeSettings();
 		this.showBody();
@@ -251,7 +277,9 @@ export class Viewer
 
 	private takeSettings(): void
 	{
-		this.session.settings.set( applySwitches( this.inspector.values, this.choices.stages ) );
+		const values = applySwitches( this.inspector.values, this.choices.stages );
+		// What carries roots alone, or nobody, is no ground for feet.
+		this.session.settings.set( { ...values, 'probe.mask': ( values[ 'probe.mask' ]! & FEET_LAYERS ) >>> 0 } );
 		this.refresh();
 	}
 
@@ -417,7 +445,7 @@ export class Viewer
 	/// Without automatic height.
 	private lift( by: number ): void
 	{
-		this.session.walker.root.y += this.choices.height ? 0 : by;
+		this.session.walker.root.y += this.choices.height === 'none' ? by : 0;
 	}
 
 	private listen(): void
@@ -458,7 +486,7 @@ export class Viewer
 	private async copyLink(): Promise<void>
 	{
 		const changes = Object.entries( this.inspector.changes ).map( ( [ name, value ] ) => `${name}:${value}` );
-		const link = writeAddress( { scene: this.shape.name, clip: this.pickers.value( 'clip' ), method: this.pickers.value( 'method' ),
+		const link = writeAddress( { scene: this.shape.name, clip: this.pickers.value( 'clip' ), method: this.pickers.methods.join( ',' ),
 			mode: this.choices.mode === 'path' ? '' : this.choices.mode, show: this.showPage.names.join( ',' ), set: changes.join( ',' ) } );
 		try
 		{
