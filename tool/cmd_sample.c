@@ -93,11 +93,29 @@ static struct json_object* toolDescribeMotion( const soleSceneMotion* motion )
 	return keys;
 }
 
+// Where the triangles of a piece are: in the scene's file from a triangle on, or, what is not seen at time 0, here.
+static void toolDescribeTriangles( const soleScene* scene, int32_t index, int32_t* inFile, struct json_object* part )
+{
+	const soleScenePiece* piece = scene->pieces + index;
+	if ( toolIsPieceInFile( scene, index ) )
+	{
+		json_object_object_add( part, "firstTriangle", json_object_new_int( *inFile ) );
+		json_object_object_add( part, "triangles", json_object_new_int( piece->triangleCount ) );
+		*inFile += piece->triangleCount;
+		return;
+	}
+	struct json_object* indices = json_object_new_array();
+	for ( int32_t i = 0; i < 3 * piece->triangleCount; ++i )
+	{
+		json_object_array_add(
+		    indices, json_object_new_int64( scene->indices[3 * (size_t)piece->firstTriangle + (size_t)i] ) );
+	}
+	json_object_object_add( part, "indices", indices );
+}
+
 static struct json_object* toolDescribePiece( const soleScenePiece* piece )
 {
 	struct json_object* part = json_object_new_object();
-	json_object_object_add( part, "firstTriangle", json_object_new_int( piece->firstTriangle ) );
-	json_object_object_add( part, "triangles", json_object_new_int( piece->triangleCount ) );
 	json_object_object_add( part, "layer", json_object_new_int64( piece->layer ) );
 	json_object_object_add( part, "surface", json_object_new_int( piece->surface ) );
 	if ( piece->motion.from > 0.0 )
@@ -120,11 +138,14 @@ static void toolDescribePieces( const soleScene* scene, struct json_object* samp
 {
 	struct json_object* pieces = json_object_new_array();
 	bool changes = false;
+	int32_t inFile = 0;
 	for ( int32_t i = 0; i < scene->pieceCount; ++i )
 	{
 		const soleSceneMotion* motion = &scene->pieces[i].motion;
 		changes = changes || toolMoves( motion ) || motion->from > 0.0 || motion->until > 0.0;
-		json_object_array_add( pieces, toolDescribePiece( scene->pieces + i ) );
+		struct json_object* part = toolDescribePiece( scene->pieces + i );
+		toolDescribeTriangles( scene, i, &inFile, part );
+		json_object_array_add( pieces, part );
 	}
 	json_object_object_add( sample, "pieces", pieces );
 	if ( changes )

@@ -6,6 +6,7 @@ import type { ClipFacts } from './clip';
 import type { GroundHandle } from './ground-handle';
 import { Listener, PLANTED, Placer, type BodyTold, type FootPlacer, type Frame, type RigHandle, type Shape, type SettingsHandle } from './library';
 import { MethodPlacer, type MethodName, type MethodWorld } from './methods';
+import { FEET_LAYERS } from './motion';
 import type { FootFigures } from './plots';
 import type { FloorFcn } from './walker';
 
@@ -113,6 +114,13 @@ export class Body
 		return aside === undefined ? gap : -aside;
 	}
 
+	/// How fast a point goes over what is under it, m/s.
+	private findSlide( { place, before }: SolePoint, reach: number, timeStep: number ): number
+	{
+		const [ x, , z ] = this.world.ground.findVelocity( place.x, place.z, place.y + reach, FEET_LAYERS );
+		return Math.hypot( ( place.x - before.x ) / timeStep - x!, ( place.z - before.z ) / timeStep - z! );
+	}
+
 	/// @param labels per leg whether the clip has it on the floor, where that is known
 	measure( labels: readonly boolean[] | null, timeStep: number ): FootFigures[]
 	{
@@ -127,7 +135,7 @@ export class Body
 				if ( over < gap )
 				{
 					gap = over;
-					slide = timeStep > 0 ? Math.hypot( point.place.x - point.before.x, point.place.z - point.before.z ) / timeStep : 0;
+					slide = timeStep > 0 ? this.findSlide( point, reach, timeStep ) : 0;
 				}
 			}
 			const stands = labels?.[ index ] ?? gap < NEAR_GROUND;

@@ -95,6 +95,13 @@ export class GroundHandle
 		return this.look( x, z, Math.min( ceiling, HIGHEST ), DEEPEST, mask )?.point[ 1 ] ?? null;
 	}
 
+	/// How fast what is under a place moves, m/s.
+	findVelocity( x: number, z: number, ceiling: number, mask: number ): number[]
+	{
+		const still = [ 0, 0, 0 ];
+		return this.movers.length > 0 ? this.look( x, z, ceiling, DEEPEST, mask )?.velocity ?? still : still;
+	}
+
 	/// The surface of what a root rides on, or -1.
 	findRidden( root: { x: number; y: number; z: number }, mask: number ): number
 	{

@@ -99,6 +99,11 @@ interface SeenPiece
 	motion: PieceMotion | null;
 }
 
+function takePiece( { firstTriangle = 0, triangles = 0, indices }: SamplePiece, ofFile: Uint32Array ): Uint32Array
+{
+	return indices !== undefined ? Uint32Array.from( indices ) : ofFile.slice( 3 * firstTriangle, 3 * ( firstTriangle + triangles ) );
+}
+
 export class GroundShape
 {
 	readonly group = new THREE.Group();
@@ -124,7 +129,7 @@ export class GroundShape
 		const whole: SamplePiece = { firstTriangle: 0, triangles: indices.length / 3, layer: 1, surface: -1 };
 		const place = new THREE.BufferAttribute( positions, 3 );
 		this.parts = ( sample?.pieces ?? [ whole ] ).map( ( piece ) => ( { positions, piece,
-			indices: indices.slice( 3 * piece.firstTriangle, 3 * ( piece.firstTriangle + piece.triangles ) ) } ) );
+			indices: takePiece( piece, indices ) } ) );
 		this.seen = this.parts.map( ( part ) => this.makeSeen( part, place ) );
 		this.group.add( ...this.seen.map( ( { mesh } ) => mesh ) );
 		this.box.setFromBufferAttribute( place );

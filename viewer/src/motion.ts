@@ -13,8 +13,10 @@ export interface PieceKeys
 /// As `sole sample --list --json` tells it.
 export interface SamplePiece
 {
-	firstTriangle: number;
-	triangles: number;
+	/// Of the file; or its own indices into the file's vertices, where it is not seen at the start.
+	firstTriangle?: number;
+	triangles?: number;
+	indices?: number[];
 	layer: number;
 	surface: number;
 	/// There from then on, and until then.

@@ -141,10 +141,16 @@ export class Session
 		this.subjects.forEach( ( subject, index ) =>
 		{
 			subject.bodies.forEach( ( body ) => body.forget() );
+			subject.facts = this.findFacts( this.choices.mode === 'path' );
 			subject.clipTime = this.facts.duration * ( ( index * 0.37 ) % 1 );
 		} );
 		this.putAtTheStart();
 		this.pose( 0 );
+	}
+
+	private findFacts( going: boolean ): ClipFacts
+	{
+		return going || this.idle === null ? this.facts : this.idle;
 	}
 
 	private putAtTheStart(): void
@@ -198,7 +204,7 @@ export class Session
 		{
 			const { walker } = subject;
 			const going = this.choices.mode === 'path' || ( this.choices.mode === 'keys' && steering.amount > 0 );
-			const facts = going || this.idle === null ? this.facts : this.idle;
+			const facts = this.findFacts( going );
 			if ( facts !== subject.facts )
 			{
 				subject.facts = facts;
@@ -244,6 +250,25 @@ export class Session
 	{
 		const { facts, clipTime } = this.subjects[ 0 ]!;
 		return this.hero.measure( facts.labels( clipTime ), TIME_STEP );
+	}
+
+	/// @param solid 0: bodies are not seen, 1: not seen through
+	setOpacity( solid: number ): void
+	{
+		this.group.traverse( ( node ) =>
+		{
+			const mesh = node as THREE.Mesh;
+			if ( mesh.isMesh === true )
+			{
+				for ( const material of Array.isArray( mesh.material ) ? mesh.material : [ mesh.material ] )
+				{
+					material.transparent = solid < 1;
+					material.opacity = solid;
+					material.depthWrite = solid > 0.5;
+				}
+				mesh.visible = solid > 0;
+			}
+		} );
 	}
 
 	shapes( mask: number ): Shape[]

@@ -22,6 +22,7 @@ import { needsMethods, Session } from './session';
 import { applySwitches } from './settings';
 import { ShowPage } from './show-page';
 import { LAYER_FIRST, LAYER_SECOND, Stage } from './stage';
+import { StageTimes } from './stage-times';
 import { TIME_STEP, Transport } from './transport';
 import type { Steering } from './walker';
 
@@ -40,14 +41,16 @@ export class Viewer
 	private readonly pickers: Pickers;
 	private readonly scenePage: ScenePage;
 	private readonly showPage: ShowPage;
-	private readonly checks: Checks;
+	readonly checks: Checks;
 	private readonly plots = new Plots();
+	readonly stageTimes = new StageTimes();
 	private readonly labels: Labels;
 	private readonly gizmos = new Gizmos();
 	private readonly keys: Keys;
 	private model!: CharacterModel;
 	private shape!: GroundShape;
 	private behind = 0; // s that have not been stepped yet
+	private recording = false;
 	private texts: Shape[] = [];
 	private costs = [ 0, 0, 0 ];
 	private framesPerSecond = 60;
@@ -61,7 +64,7 @@ export class Viewer
 		this.stage = new Stage( find<HTMLCanvasElement>( 'canvas' ), this.address.manual );
 		this.stage.scene.add( this.gizmos.group );
 		this.labels = new Labels( this.stage );
-		this.transport = new Transport( () => this.advance( 1 ), () => this.restart() );
+		this.transport = new Transport( () => this.advance( 1 ), () => this.restart(), this.stageTimes.button );
 		this.pickers = new Pickers( samples, {
 			character: ( name ) => void this.attempt( () => this.pickCharacter( name ) ),
 			clip: () => this.begin(),
@@ -79,7 +82,7 @@ export class Viewer
 		const show = addTab( 'show', 'Show' );
 		const checks = addTab( 'checks', 'Checks', () => this.refresh() );
 		this.scenePage = new ScenePage( scene.page, this.choices, {
-			populate: () => this.begin(), stages: () => this.takeSettings(), turned: () => this.turn( 0 ), body: () => this.showBody() } );
+			populate: () => this.begin(), stages: () => this.takeSettings(), turned: () => this.turn( 0 ), body: () => this.session.setOpacity( this.choices.body ) } );
 		this.inspector = new Inspector( settings.page, library, () => this.takeSettings() );
 		this.showPage = new ShowPage( show.page, library.drawInfos, this.address.show, () => this.refresh() );
 		this.checks = new Checks( checks.page, () => this.refresh() );
@@ -256,6 +259,7 @@ export class Viewer
 		const { methods } = this.pickers;
 		const session = new Session( this.model, this.shape, clip, { ...this.choices, methods } );
 		const first = this.session === undefined || this.session.model !== this.model || this.session.shape !== this.shape;
+		this.stageTimes.stop();
 		this.session?.dispose();
 		this.session = session;
 		this.stage.scene.add( session.group, this.shape.group );
@@ -266,7 +270,7 @@ export class Viewer
 			make( 'span', {}, method === 'none' ? methodLabels.none : `placed by ${methodLabels[ method ]}` ) ) );
 		this.checks.show( session.findings );
 		this.takeSettings();
-		this.showBody();
+		session.setOpacity( this.choices.body );
 		this.restart();
 		if ( first )
 		{
@@ -281,25 +285,6 @@ export class Viewer
 		// What carries roots alone, or nobody, is no ground for feet.
 		this.session.settings.set( { ...values, 'probe.mask': ( values[ 'probe.mask' ]! & FEET_LAYERS ) >>> 0 } );
 		this.refresh();
-	}
-
-	private showBody(): void
-	{
-		const solid = this.choices.body;
-		this.session.group.traverse( ( node ) =>
-		{
-			const mesh = node as THREE.Mesh;
-			if ( mesh.isMesh === true )
-			{
-				for ( const material of Array.isArray( mesh.material ) ? mesh.material : [ mesh.material ] )
-				{
-					material.transparent = solid < 1;
-					material.opacity = solid;
-					material.depthWrite = solid > 0.5;
-				}
-				mesh.visible = solid > 0;
-			}
-		} );
 	}
 
 	restart(): void
@@ -332,10 +317,15 @@ export class Viewer
 			{
 				this.stage.follow( this.session.focus(), TIME_STEP, this.session.walker.jumped );
 			}
+			if ( this.recording === false )
+			{
+				this.stageTimes.hear( this.session.hero, this.costs );
+			}
 			this.session.cost().forEach( ( cost, index ) => { this.costs[ index ]! += ( cost - this.costs[ index ]! ) * 0.03; } );
 		}
 		if ( steps > 0 )
 		{
+			this.checks.hear( this.session.hero.told?.unmetTime ?? 0 );
 			this.refresh();
 		}
 	}
@@ -408,9 +398,12 @@ export class Viewer
 	record( time: number ): Uint8Array
 	{
 		const { hero } = this.session;
+		this.stageTimes.stop();
+		this.recording = true;
 		hero.beginTrace();
 		this.restart();
 		this.stepTo( time );
+		this.recording = false;
 		return hero.endTrace();
 	}
 
