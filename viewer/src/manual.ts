@@ -25,7 +25,8 @@ export interface ManualViewer
 	findings(): string[];
 	/// The picture, as an address of a PNG.
 	picture(): string;
-	shown(): { character: string; ground: string; characters: number };
+	shown(): { character: string; ground: string; characters: number; methods: string[] };
+	time(): number;
 	/// Names of what there is to choose from.
 	grounds(): string[];
 	drawings(): string[];
@@ -52,7 +53,9 @@ export function offerManual( viewer: Viewer ): void
 		stageTimes: () => viewer.stageTimes.times.map( ( time ) => ( { ...time } ) ),
 		findings: () => viewer.checks.findings.map( ( finding ) => `${finding.severity} ${finding.where}: ${finding.what}` ),
 		picture: () => viewer.picture(),
-		shown: () => ( { character: viewer.session.model.name, ground: viewer.session.shape.name, characters: viewer.session.choices.count } ),
+		shown: () => ( { character: viewer.session.model.name, ground: viewer.session.shape.name, characters: viewer.session.choices.count,
+			methods: [ ...viewer.session.choices.methods ] } ),
+		time: () => viewer.session.time,
 		grounds: () => viewer.samples.filter( ( sample ) => sample.kind === 'ground' ).map( ( sample ) => sample.name ),
 		drawings: () => viewer.library.drawInfos.map( ( info ) => info.name ),
 		settings: () => viewer.library.settingInfos.map( ( info ) => info.name ),
