@@ -8,7 +8,7 @@ import type { Body } from './body';
 import { find, make, messageOf, say } from './page';
 
 const FRAMES = 60; // of one recording
-const ROUNDS = 4; // it is played
+const ROUNDS = 16; // it is played
 const ROOM = 4 << 20; // bytes of a recording
 const SHARE = 0.3; // of a new mean in what is shown
 const NARROW = 0.07; // of the bar: names of narrower parts are in the legend alone
