@@ -42,6 +42,8 @@ static void piecesOfScenesAreListedAsTheyMove( void** state )
 		soleScene scene;
 		assert_true( soleMakeScene( ids[i], &scene ) );
 		struct json_object* keys = json_object_object_get( testFindPiece( list, ids[i], 1 ), "keys" );
+		struct json_object* first = json_object_object_get( testFindPiece( list, ids[i], 1 ), "firstTriangle" );
+		assert_int_equal( json_object_get_int( first ), scene.pieces[1].firstTriangle );
 		double rate = json_object_get_double( json_object_object_get( keys, "rate" ) );
 		double duration =
 		    json_object_get_double( json_object_object_get( testFindSample( list, ids[i] ), "duration" ) );
