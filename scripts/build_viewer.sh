@@ -14,7 +14,7 @@ fi
 PATH=$PWD/node_modules/.bin:$PATH
 
 # The package for JavaScript is the last thing that its script writes.
-if [ ! -e build/wasm/layout.js ] || [ -n "$( find src include bindings scripts/build_wasm.sh -newer build/wasm/layout.js -print -quit )" ]; then
+if [ ! -e build/wasm/layout.js ] || [ -n "$( find src include bindings baselines scripts/build_wasm.sh -newer build/wasm/layout.js -print -quit )" ]; then
 	scripts/build_wasm.sh > /dev/null
 fi
 

@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Builds the library for WebAssembly and lays the npm package out in build/wasm: sole.wasm and, for engines with SIMD,
 # sole-simd.wasm; sole-debug.wasm and sole-debug-simd.wasm draw and replay traces besides. Nothing is imported: a module
-# runs wherever WebAssembly does.
+# runs wherever WebAssembly does. build/wasm/page has what the viewer alone uses: page/sole-methods.wasm, the systems
+# that Sole is compared with, and page/sole-stages.wasm, which tells its caller when a stage of the solver has ended.
 # usage: scripts/build_wasm.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 output=build/wasm
 binding=bindings/wasm
-mkdir -p $output
+mkdir -p $output/page
 
 # What JavaScript calls. All else that is not needed for it is left out.
 names=( malloc free
@@ -23,6 +24,14 @@ names=( malloc free
 debugNames=( soleMakeBufferSink soleCreateTracer soleDestroyTracer soleTracer_BeginFrame soleTracer_EndFrame
 	soleTracer_Finish soleReplayTrace soleGetDrawInfos soleWasm_Draw )
 
+methodNames=( malloc free soleGetSettingInfos soleDefaultSettings soleSettings_Get soleSettings_Set
+	soleDefaultRigDef soleDefaultLegDef soleCreateRig soleDestroyRig soleRig_GetLegLength soleState_GetByteCount soleApply
+	soleDefaultGroundDef soleDefaultGroundMesh soleDefaultHeightField soleDefaultGroundPlane soleCreateGround
+	soleDestroyGround soleGround_GetTriangleCount soleCastProbe soleCastPieces
+	soleWasm_CreateCharacter soleWasm_CastGround soleWasm_CastPieces
+	soleAncestor_GetByteCount soleStartAncestor soleGatherAncestor soleSolveAncestor )
+stageNames=( malloc free soleReplayTrace )
+
 target=( --target=wasm32-wasi --sysroot=/usr )
 # Small before fast: a solve takes microseconds either way. No contraction, for the same bits as everywhere.
 flags=( "${target[@]}" -nostdlibinc -idirafter /usr/include/wasm32-wasi -std=c11 -Oz -flto -DNDEBUG
@@ -32,14 +41,13 @@ flags=( "${target[@]}" -nostdlibinc -idirafter /usr/include/wasm32-wasi -std=c11
 optimize=( -Oz --low-memory-unused --converge --strip-producers --const-hoisting
 	--enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext )
 
-# compile FOLDER FLAG...
+# compile FOLDER SOURCE FLAG...: all sources below a folder, or one.
 compile()
 {
-	local folder=$output/$1
-	shift
-	rm -rf "$folder"
+	local folder=$output/$1 source=$2
+	shift 2
 	mkdir -p "$folder"
-	find src $binding -name '*.c' -not -name fields.c -print0 | sort -z |
+	find "$source" -name '*.c' -not -name fields.c -print0 | sort -z |
 		xargs -0 -P 2 -I FILE bash -c '
 			folder=$1 file=$2
 			shift 2
@@ -60,21 +68,37 @@ link()
 build()
 {
 	local folder=objects$1
-	compile "$folder" $2
+	rm -rf "${output:?}/$folder"
+	compile "$folder" src $2
+	compile "$folder" $binding $2
 	link "$folder" $output/sole.raw.wasm "${names[@]}"
 	wasm-opt "${optimize[@]}" $3 $output/sole.raw.wasm -o "$output/sole$1.wasm"
 	link "$folder" $output/sole.raw.wasm "${names[@]}" "${debugNames[@]}"
 	wasm-opt "${optimize[@]}" $3 $output/sole.raw.wasm -o "$output/sole-debug$1.wasm"
-	rm -rf $output/sole.raw.wasm "${output:?}/$folder"
+}
+
+# page NAME EXPORT...: a module of the objects without SIMD that only the viewer uses.
+page()
+{
+	local name=$1
+	shift
+	link objects $output/sole.raw.wasm "$@"
+	wasm-opt "${optimize[@]}" $output/sole.raw.wasm -o "$output/page/$name.wasm"
 }
 
 build '' '' ''
 build -simd -msimd128 --enable-simd
+compile objects baselines -I.
+page sole-methods "${methodNames[@]}"
+compile objects src/place/place.c -include $binding/page/stage_hook.h
+page sole-stages "${stageNames[@]}"
+rm -rf $output/sole.raw.wasm $output/objects $output/objects-simd
 
 mkdir -p $output/fields
 clang-14 "${flags[@]}" -c $binding/fields.c -o $output/fields/fields.o
 link fields $output/fields.wasm soleWasm_GetFields soleWasm_CountFields
+cp $binding/page/*.js $binding/page/*.d.ts $output/page/
 cp $binding/*.js $binding/*.d.ts $binding/package.json $binding/README.md LICENSE $output/
 node $output/make_layout.js $output/fields.wasm > $output/layout.js
 rm -rf $output/fields $output/fields.wasm $output/make_layout.js
-ls -l $output/*.wasm
+ls -l $output/*.wasm $output/page/*.wasm

@@ -54,13 +54,13 @@ static const toolMethod toolMethods[] = {
 	{ "sole", "Sole", toolStartSole, toolStepSole },
 	{ "none", "moved over the ground, feet untouched", NULL, NULL },
 	{ "homebrew", "a sphere under each ankle, feet and ground normals filtered, the body down to the lower foot",
-	    toolStartHomebrew, toolStepHomebrew },
+	    toolStartHomebrew, toolStepAncestor },
 	{ "iksetting", "a ray under each foot 50 times a second, the ground's height added to the clip by its curves",
-	    toolStartIkSetting, toolStepIkSetting },
+	    toolStartIkSetting, toolStepAncestor },
 	{ "ozz", "a ray under each ankle, the pelvis down to the lowest foot, legs bent and ankles aimed at once",
-	    toolStartOzz, toolStepOzz },
+	    toolStartOzz, toolStepAncestor },
 	{ "effector", "a trace under each foot while the character stands, hip and feet brought to their heights",
-	    toolStartEffector, toolStepEffector },
+	    toolStartEffector, toolStepAncestor },
 	{ NULL, NULL, NULL, NULL },
 };
 

@@ -6,15 +6,9 @@
 #include "bake.h"
 
 void* toolStartHomebrew( const toolCharacter* character );
-void toolStepHomebrew( void* user, const toolMethodStep* step );
-
 void* toolStartIkSetting( const toolCharacter* character );
-void toolStepIkSetting( void* user, const toolMethodStep* step );
-
 void* toolStartOzz( const toolCharacter* character );
-void toolStepOzz( void* user, const toolMethodStep* step );
-
 void* toolStartEffector( const toolCharacter* character );
-void toolStepEffector( void* user, const toolMethodStep* step );
+void toolStepAncestor( void* user, const toolMethodStep* step );
 
 #endif

@@ -36,6 +36,12 @@ bool toolOpenCharacter( const char* name, toolGltf** gltf, toolError* error )
 	return embedded || toolReadGltf( name, gltf, error );
 }
 
+bool toolIsPieceInFile( const soleScene* scene, int32_t piece )
+{
+	soleTransform fromStart;
+	return soleGetScenePiece( scene, piece, 0.0, &fromStart ) && scene->pieces[piece].layer != sole_sceneRootOnly;
+}
+
 /// What is to be seen of a scene at time 0.
 static void toolTakeTriangles( const soleScene* scene, toolGroundMesh* mesh )
 {
@@ -44,8 +50,7 @@ static void toolTakeTriangles( const soleScene* scene, toolGroundMesh* mesh )
 	for ( int32_t i = 0; i < scene->pieceCount; ++i )
 	{
 		const soleScenePiece* piece = scene->pieces + i;
-		soleTransform fromStart;
-		if ( soleGetScenePiece( scene, i, 0.0, &fromStart ) && piece->layer != sole_sceneRootOnly )
+		if ( toolIsPieceInFile( scene, i ) )
 		{
 			memcpy( mesh->indices + 3 * (size_t)mesh->triangleCount, scene->indices + 3 * (size_t)piece->firstTriangle,
 			    3 * (size_t)piece->triangleCount * sizeof *mesh->indices );

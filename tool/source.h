@@ -6,6 +6,7 @@
 
 #include "gltf.h"
 #include "ground_file.h"
+#include "scenario.h"
 #include "walker.h"
 
 bool toolOpenCharacter( const char* name, toolGltf** gltf, toolError* error );
@@ -32,6 +33,8 @@ void toolCloseGround( toolGroundSource* source );
 bool toolMakeTerrain( const toolGroundSource* source, soleTerrain** terrain, toolError* error );
 
 /// The ground as nodes of a scene, to be added to a file.
+/// Files of scenes have all their vertices, and the triangles of those pieces that are seen at time 0.
+bool toolIsPieceInFile( const soleScene* scene, int32_t piece );
 void toolMakeGroundModel( const toolGroundSource* source, toolModel* model );
 
 /// The best walk by its name, else the first clip that is named like another gait, else the first clip. SOLE_NONE

@@ -22,6 +22,9 @@ export const LegFlags = Object.freeze({
 	badInput: 1 << 12,
 	inside: 1 << 13,
 	planned: 1 << 14,
+	tooLow: 1 << 15,
+	tooHigh: 1 << 16,
+	asleep: 1 << 17,
 });
 
 /// A struct in memory: its numbers by name, its vectors as views that are made once and again after memory has grown.

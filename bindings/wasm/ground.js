@@ -158,11 +158,13 @@ export class Ground {
 /// Grounds that move, each as a whole.
 export class Pieces {
 	#module;
+	#grounds;
 	at;
 
 	constructor(module, pieces) {
 		const { memory } = module;
 		this.#module = module;
+		this.#grounds = pieces.map(({ ground }) => ground);
 		this.count = pieces.length;
 		this.at = memory.allocate(pieces.length * sizeOf("soleGroundPiece"));
 		memory.bytes.fill(0, this.at, this.at + pieces.length * sizeOf("soleGroundPiece"));
@@ -177,8 +179,8 @@ export class Pieces {
 		return this.at + takeCount("piece", index, 0, this.count - 1) * sizeOf("soleGroundPiece");
 	}
 
-	/// Where a piece is now and how it moves. What is left out stays.
-	move(index, { translation, rotation, velocity, spin }) {
+	/// Where a piece is now, how it moves, and whether it is there at all. What is left out stays.
+	move(index, { translation, rotation, velocity, spin, there }) {
 		const at = this.#find(index);
 		const { memory } = this.#module;
 		const put = (field, values, from) => memory.view("soleGroundPiece", at, field).set(values, from);
@@ -195,6 +197,9 @@ export class Pieces {
 		}
 		if (spin) {
 			put("spin_w", takeVector("spin", spin), 0);
+		}
+		if (there !== undefined) {
+			this.#module.memory.set("soleGroundPiece", at, "ground", there ? this.#grounds[index]?.at ?? 0 : 0);
 		}
 	}
 

@@ -267,6 +267,9 @@ export const LegFlags: {
 	readonly badInput: number;
 	readonly inside: number;
 	readonly planned: number;
+	readonly tooLow: number;
+	readonly tooHigh: number;
+	readonly asleep: number;
 };
 
 /** The new pose of one leg and what is worth knowing about it. Arrays are views. */
@@ -445,6 +448,7 @@ export interface Pieces {
 		rotation?: Numbers | { x: number; y: number; z: number; w: number };
 		velocity?: Vector;
 		spin?: Vector;
+		there?: boolean;
 	}): void;
 	cast(query: CastQuery): CastHit | null;
 	dispose(): void;

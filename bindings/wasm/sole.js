@@ -4,6 +4,7 @@
 import { Character, LegFlags } from "./character.js";
 import { Ground, Pieces, createGround } from "./ground.js";
 import { ContactLabel, findClipFloor, findSteps, findStrideVelocity, label, measure } from "./measure.js";
+import { openModule } from "./load.js";
 import { Memory, offsetOf, refuse, sizeOf } from "./memory.js";
 import { Rig, createRig, detectRig } from "./rig.js";
 import { Settings, readSettingInfos } from "./settings.js";
@@ -23,26 +24,11 @@ export function hasSimd() {
 	return WebAssembly.validate(SIMD_PROBE);
 }
 
-async function compile(url) {
-	if (url.protocol === "file:") {
-		const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
-		return WebAssembly.compile(await readFile(url));
-	}
-	const response = await fetch(url);
-	if (!response.ok) {
-		refuse(`${url}: could not be loaded (${response.status}): put the package's .wasm files there`);
-	}
-	// Servers that do not know the type of .wasm files are no reason to fail.
-	return WebAssembly.compile(await response.arrayBuffer());
-}
-
 /// @param url of a module; bytes: of one, or one that is compiled. Neither: the one beside this file that fits
 export async function loadSole({ url, bytes, simd = hasSimd(), debug = false } = {}) {
 	const name = `sole${debug ? "-debug" : ""}${simd ? "-simd" : ""}.wasm`;
 	const base = import.meta.url;
-	const given = bytes instanceof WebAssembly.Module ? bytes : undefined;
-	const wasm = given ?? (bytes ? await WebAssembly.compile(bytes) : await compile(new URL(url ?? name, base)));
-	const { exports } = await WebAssembly.instantiate(wasm, {});
+	const exports = await openModule({ url: new URL(url ?? name, base), bytes });
 	if (exports.soleWasm_Solve === undefined) {
 		refuse("module: is none of Sole: give one of the package's .wasm files");
 	}

@@ -232,7 +232,8 @@ void soleSketchTargets( const soleSketch* sketch )
 // ------------------------------------------------------------------------------------------------------------ flags
 
 static const char* const soleFlagNames[] = { "planted", "no ground", "too steep", "on edge", "softened", "out of reach",
-	"heel lifted", "ankle clamped", "folded", "released", "captured", "degenerate", "bad input", "inside", "planned" };
+	"heel lifted", "ankle clamped", "folded", "released", "captured", "degenerate", "bad input", "inside", "planned",
+	"too low", "too high", "asleep" };
 
 #define FLAG_COUNT ( (int32_t)( sizeof soleFlagNames / sizeof soleFlagNames[0] ) )
 #define TEXT_SIZE 256 // all names and commas fit

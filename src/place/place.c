@@ -7,6 +7,12 @@
 
 #include <string.h>
 
+// An own build may define both to measure how long stages take; everywhere else they are nothing.
+#ifndef SOLE_STAGE_END
+#define SOLE_STAGES_BEGIN() ( (void)0 )
+#define SOLE_STAGE_END( name ) ( (void)0 )
+#endif
+
 // ----------------------------------------------------------------------------------------------------- handing out
 
 /// The output that changes nothing: the pose as it came in. Legs that the rig does not have are left as they are.
@@ -123,20 +129,28 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
 {
 	soleFindSupport( work, hits );
+	SOLE_STAGE_END( "support" );
 	soleUpdateContact( work );
 	soleLearnSteps( work );
+	SOLE_STAGE_END( "contact" );
 	soleTakeResteps( work );
 	soleChooseFootholds( work );
+	SOLE_STAGE_END( "foothold" );
 	soleUpdateLocks( work );
+	SOLE_STAGE_END( "lock" );
 	soleSetTargets( work );
 	soleClassReach( work );
 	soleDemandSecondPose( work );
+	SOLE_STAGE_END( "target" );
 	soleFindBodyGround( work );
 	soleMovePelvis( work );
+	SOLE_STAGE_END( "pelvis" );
 	soleSolveLegs( work );
+	SOLE_STAGE_END( "leg" );
 	soleLimitAnkles( work );
 	soleSolveLimitedLegs( work );
 	soleAlignAnkles( work );
+	SOLE_STAGE_END( "ankle" );
 	soleRememberBodies( work );
 	soleWritePelvis( work );
 }
@@ -154,8 +168,10 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, const soleLegHits* hits, soleOutput* output )
 {
+	SOLE_STAGES_BEGIN();
 	solePassThrough( rig, frame, 0.0f, output );
 	soleBeginFrame( work, rig, settings, state, frame, output );
+	SOLE_STAGE_END( "sense" );
 	if ( work->second > 0.0f )
 	{
 		solePassThrough( rig, frame, work->second, output );
@@ -166,6 +182,7 @@ void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* 
 		output->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
 	}
 	soleScrubOutput( rig, output );
+	SOLE_STAGE_END( "output" );
 }
 
 void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,

@@ -3,17 +3,22 @@
 import * as THREE from 'three';
 import { POSE_FLOATS, type CharacterInstance, type CharacterModel } from './character';
 import type { ClipFacts } from './clip';
-import { PLANTED, Placer, type Frame, type GroundHandle, type RigHandle, type Shape, type SettingsHandle } from './library';
+import type { GroundHandle } from './ground-handle';
+import { Listener, PLANTED, Placer, type BodyTold, type FootPlacer, type Frame, type RigHandle, type Shape, type SettingsHandle } from './library';
+import { MethodPlacer, type MethodName, type MethodWorld } from './methods';
+import { FEET_LAYERS } from './motion';
 import type { FootFigures } from './plots';
 import type { FloorFcn } from './walker';
 
-export type Method = 'none' | 'sole';
+export type Method = 'none' | 'sole' | MethodName;
 
 /// What a body needs to know of its surroundings.
 export interface World
 {
 	rig: RigHandle;
 	ground: GroundHandle;
+	/// Where one of the methods is an ancestor.
+	methods: MethodWorld | null;
 	settings: SettingsHandle;
 	floor: FloorFcn;
 	weight: number;
@@ -29,6 +34,15 @@ export interface FootReport
 	solved: number[] | null;
 }
 
+function makePlacer( method: Method, { rig, settings, methods }: World ): FootPlacer | null
+{
+	if ( method === 'sole' )
+	{
+		return new Placer( rig, settings );
+	}
+	return method === 'none' || methods === null ? null : new MethodPlacer( methods, method, new Listener( rig ) );
+}
+
 const NEAR_GROUND = 0.02; // m: an unlabelled foot that is lower stands
 
 const SIDEWAYS = [ 0.005, 0.01, 0.02, 0.04 ]; // m
@@ -42,14 +56,14 @@ interface SolePoint
 export class Body
 {
 	readonly pose: Float32Array;
-	private readonly placer: Placer | null;
+	private readonly placer: FootPlacer | null;
 	private readonly points: SolePoint[][];
 	private readonly joint = new THREE.Vector3();
 
 	constructor( model: CharacterModel, readonly instance: CharacterInstance, readonly method: Method, private readonly world: World )
 	{
 		this.pose = new Float32Array( POSE_FLOATS * model.jointCount );
-		this.placer = method === 'sole' ? new Placer( world.rig, world.settings ) : null;
+		this.placer = makePlacer( method, world );
 		this.points = world.rig.solePoints.map( ( leg ) => leg.map( () => ( { place: new THREE.Vector3(), before: new THREE.Vector3() } ) ) );
 	}
 
@@ -62,6 +76,8 @@ export class Body
 		const root = this.instance.root;
 		root.matrix.compose( new THREE.Vector3().fromArray( frame.root ), new THREE.Quaternion().fromArray( frame.root, 3 ),
 			new THREE.Vector3().fromArray( frame.root, 7 ) );
+		const offset = this.told?.rootOffset ?? [ 0, 0, 0 ];
+		root.matrix.premultiply( new THREE.Matrix4().makeTranslation( offset[ 0 ]!, offset[ 1 ]!, offset[ 2 ]! ) );
 		root.updateMatrixWorld( true );
 		this.findPoints( frame.teleport );
 	}
@@ -98,6 +114,13 @@ export class Body
 		return aside === undefined ? gap : -aside;
 	}
 
+	/// How fast a point goes over what is under it, m/s.
+	private findSlide( { place, before }: SolePoint, reach: number, timeStep: number ): number
+	{
+		const [ x, , z ] = this.world.ground.findVelocity( place.x, place.z, place.y + reach, FEET_LAYERS );
+		return Math.hypot( ( place.x - before.x ) / timeStep - x!, ( place.z - before.z ) / timeStep - z! );
+	}
+
 	/// @param labels per leg whether the clip has it on the floor, where that is known
 	measure( labels: readonly boolean[] | null, timeStep: number ): FootFigures[]
 	{
@@ -112,7 +135,7 @@ export class Body
 				if ( over < gap )
 				{
 					gap = over;
-					slide = timeStep > 0 ? Math.hypot( point.place.x - point.before.x, point.place.z - point.before.z ) / timeStep : 0;
+					slide = timeStep > 0 ? this.findSlide( point, reach, timeStep ) : 0;
 				}
 			}
 			const stands = labels?.[ index ] ?? gap < NEAR_GROUND;
@@ -146,6 +169,12 @@ export class Body
 		return this.placer?.draw( mask ) ?? [];
 	}
 
+	/// What the library tells of the last frame; null where it placed nothing.
+	get told(): BodyTold | null
+	{
+		return this.placer?.told ?? null;
+	}
+
 	/// Microseconds that the last frame took: gather, cast, solve.
 	get cost(): readonly number[]
 	{
@@ -158,9 +187,9 @@ export class Body
 		this.placer?.forget();
 	}
 
-	beginTrace(): void
+	beginTrace( capacity?: number ): void
 	{
-		this.placer?.beginTrace();
+		this.placer?.beginTrace( capacity );
 	}
 
 	endTrace(): Uint8Array

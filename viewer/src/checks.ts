@@ -15,12 +15,16 @@ export interface Finding
 	joint: number;
 }
 
+const UNMET_TIME = 1; // s
+const nothingMet: Finding = { severity: 'error', where: 'ground', joint: -1, what: 'no probe has met anything for more than a second',
+	mend: 'the mask, the layer of the ground or the cast is wrong, or the character is nowhere near it: see probe.mask, probe.stepUp and probe.stepDown' };
+
 const order: Record<Severity, number> = { error: 0, warning: 1, info: 2 };
 
 export class Checks
 {
 	private readonly list = make( 'ul', { class: 'checks' } );
-	private findings: Finding[] = [];
+	findings: Finding[] = [];
 	/// The one that is shown in the scene.
 	chosen: Finding | null = null;
 
@@ -36,10 +40,22 @@ export class Checks
 		return this.findings.filter( ( finding ) => finding.severity !== 'info' );
 	}
 
+	/// Ground that no probe ever meets is no gap: something is set wrong. @param unmetTime s, as the library tells it
+	hear( unmetTime: number ): void
+	{
+		const others = this.findings.filter( ( finding ) => finding !== nothingMet );
+		const unmet = unmetTime > UNMET_TIME;
+		if ( unmet === ( others.length === this.findings.length ) )
+		{
+			this.show( unmet ? [ ...others, nothingMet ] : others );
+		}
+	}
+
 	show( findings: readonly Finding[] ): void
 	{
+		const chosen = this.chosen;
 		this.findings = [ ...findings ].sort( ( a, b ) => order[ a.severity ] - order[ b.severity ] );
-		this.chosen = null;
+		this.chosen = findings.find( ( finding ) => finding === chosen ) ?? null;
 		this.list.replaceChildren( ...this.findings.map( ( finding ) => make( 'li', {}, this.makeRow( finding ) ) ) );
 		const button = find( 'tab-checks' );
 		button.querySelector( '.count' )?.remove();
@@ -58,7 +74,7 @@ export class Checks
 		{
 			lines.push( make( 'span', {}, `→ ${finding.mend}` ) );
 		}
-		const button = make( 'button', { class: finding.severity, 'aria-pressed': 'false', onclick: () =>
+		const button = make( 'button', { class: finding.severity, 'aria-pressed': String( this.chosen === finding ), onclick: () =>
 		{
 			this.chosen = this.chosen === finding ? null : finding;
 			this.list.querySelectorAll( 'button' ).forEach( ( other ) => other.setAttribute( 'aria-pressed', 'false' ) );

@@ -4,6 +4,7 @@
 import * as THREE from 'three';
 import { GLTFLoader, type GLTF } from 'three/addons/loaders/GLTFLoader.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
+import type { SamplePiece } from './motion';
 import { messageOf } from './page';
 
 /// As `sole sample --list --json` tells it.
@@ -13,7 +14,10 @@ export interface Sample
 	kind: 'character' | 'ground';
 	text: string;
 	triangles?: number;
-	pieces?: number;
+	/// The first is the still world; the file has all of them where they are at the start.
+	pieces?: SamplePiece[];
+	/// s, after which a scene that moves begins anew
+	duration?: number;
 	path?: [ number, number ][];
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A ground: its triangles in the world, how it looks, and the way over it.
+// A ground: its triangles in the world, in pieces where some of them move, how it looks, and the way over it.
 import * as THREE from 'three';
+import type { Sample } from './files';
+import type { GroundPart } from './ground-handle';
+import { isThere, PieceMotion, type SamplePiece } from './motion';
 import { onTheme } from './page';
 
 const EDGE = 0.7; // m: a way that nobody has laid stays so far inside
@@ -39,9 +42,9 @@ export function collectTriangles( object: THREE.Object3D ): { positions: Float32
 	return { positions: new Float32Array( positions ), indices: new Uint32Array( indices ) };
 }
 
-/// Lines every 10 cm and, stronger, every metre, on faces of all directions: heights and slopes can be read off.
-const gridVertex = '#include <project_vertex>\n\tsolePlace = ( modelMatrix * vec4( transformed, 1.0 ) ).xyz;\n' +
-	'\tsoleNormal = normalize( mat3( modelMatrix ) * objectNormal );';
+/// Lines every 10 cm and, stronger, every metre, on faces of all directions: heights and slopes can be read off. They
+/// move with their piece.
+const gridVertex = '#include <project_vertex>\n\tsolePlace = transformed;\n\tsoleNormal = normalize( objectNormal );';
 const gridFragment = `#include <color_fragment>
 	{
 		vec3 wide = fwidth( solePlace );
@@ -86,54 +89,95 @@ function findWay( box: THREE.Box3 ): [ number, number ][]
 		: [ [ middle.x - half, middle.z ], [ middle.x + half, middle.z ] ];
 }
 
+const UNSEEN = 2; // layer of what carries roots alone
+
+/// A piece as it is seen.
+interface SeenPiece
+{
+	piece: SamplePiece;
+	mesh: THREE.Mesh;
+	motion: PieceMotion | null;
+}
+
+function takePiece( { firstTriangle = 0, triangles = 0, indices }: SamplePiece, ofFile: Uint32Array ): Uint32Array
+{
+	return indices !== undefined ? Uint32Array.from( indices ) : ofFile.slice( 3 * firstTriangle, 3 * ( firstTriangle + triangles ) );
+}
+
 export class GroundShape
 {
-	readonly mesh: THREE.Mesh;
-	readonly positions: Float32Array;
-	readonly indices: Uint32Array;
+	readonly group = new THREE.Group();
+	readonly parts: readonly GroundPart[];
 	readonly path: [ number, number ][];
 	readonly box = new THREE.Box3();
-
+	/// s, after which the scene begins anew; null: nothing in it moves.
+	readonly duration: number | null;
 	/// Files are wound as their makers cared, samples as they should be.
 	readonly twoSided: boolean;
+	private readonly seen: SeenPiece[];
 
-	/// @param path of a sample
-	constructor( readonly name: string, object: THREE.Object3D, path?: [ number, number ][] )
+	/// @param sample what is known of it beyond its triangles
+	constructor( readonly name: string, object: THREE.Object3D, sample?: Sample )
 	{
 		const { positions, indices } = collectTriangles( object );
 		if ( indices.length === 0 )
 		{
 			throw new Error( `${name}: has neither a skinned character nor triangles to walk on.` );
 		}
-		this.twoSided = path === undefined;
-		this.positions = positions;
-		this.indices = indices;
+		this.twoSided = sample === undefined;
+		this.duration = sample?.duration ?? null;
+		const whole: SamplePiece = { firstTriangle: 0, triangles: indices.length / 3, layer: 1, surface: -1 };
+		const place = new THREE.BufferAttribute( positions, 3 );
+		this.parts = ( sample?.pieces ?? [ whole ] ).map( ( piece ) => ( { positions, piece,
+			indices: takePiece( piece, indices ) } ) );
+		this.seen = this.parts.map( ( part ) => this.makeSeen( part, place ) );
+		this.group.add( ...this.seen.map( ( { mesh } ) => mesh ) );
+		this.box.setFromBufferAttribute( place );
+		const path = sample?.path;
+		this.path = path !== undefined && path.length > 1 ? path : findWay( this.box );
+		this.move( 0 );
+	}
+
+	private makeSeen( { indices, piece }: GroundPart, place: THREE.BufferAttribute ): SeenPiece
+	{
 		const geometry = new THREE.BufferGeometry();
-		geometry.setAttribute( 'position', new THREE.BufferAttribute( positions, 3 ) );
+		geometry.setAttribute( 'position', place );
 		geometry.setIndex( new THREE.BufferAttribute( indices, 1 ) );
 		geometry.computeVertexNormals();
-		this.mesh = new THREE.Mesh( geometry, material );
-		this.mesh.receiveShadow = true;
+		const mesh = new THREE.Mesh( geometry, material );
+		mesh.receiveShadow = true;
+		mesh.castShadow = piece.keys !== undefined;
 		if ( indices.length < 3 * MOST_EDGED )
 		{
-			this.mesh.add( new THREE.LineSegments( new THREE.EdgesGeometry( geometry, EDGE_ANGLE ), edgeMaterial ) );
+			mesh.add( new THREE.LineSegments( new THREE.EdgesGeometry( geometry, EDGE_ANGLE ), edgeMaterial ) );
 		}
-		this.box.setFromBufferAttribute( geometry.getAttribute( 'position' ) as THREE.BufferAttribute );
-		this.path = path !== undefined && path.length > 1 ? path : findWay( this.box );
+		return { piece, mesh, motion: piece.keys !== undefined ? new PieceMotion( piece.keys ) : null };
+	}
+
+	/// To how it is at a time of the scene.
+	move( time: number ): void
+	{
+		for ( const { piece, mesh, motion } of this.seen )
+		{
+			mesh.visible = piece.layer !== UNSEEN && isThere( piece, time );
+			motion?.read( time, mesh.position, mesh.quaternion );
+		}
 	}
 
 	/// The place of the ground under a ray of the page.
 	pick( caster: THREE.Raycaster ): THREE.Vector3 | null
 	{
-		const hit = caster.intersectObject( this.mesh, false )[ 0 ];
-		return hit?.point ?? null;
+		const meshes = this.seen.map( ( { mesh } ) => mesh ).filter( ( mesh ) => mesh.visible );
+		return caster.intersectObjects( meshes, false )[ 0 ]?.point ?? null;
 	}
 
 	dispose(): void
 	{
-		this.mesh.removeFromParent();
-		this.mesh.geometry.dispose();
-		this.mesh.children.forEach( ( edges ) => ( edges as THREE.LineSegments ).geometry.dispose() );
+		this.group.removeFromParent();
+		this.seen.forEach( ( { mesh } ) =>
+		{
+			mesh.geometry.dispose();
+			mesh.children.forEach( ( edges ) => ( edges as THREE.LineSegments ).geometry.dispose() );
+		} );
 	}
 }
-

@@ -12,6 +12,8 @@ const enumNames: Record<string, string[]> = {
 	'probe.shape': [ 'ray', 'sphere' ],
 	'probe.layout': [ 'economy', 'quality', 'single' ],
 	'contact.pivot': [ 'nothing', 'ball', 'ankle' ],
+	'pelvis.follow': [ 'steps', 'planted feet', 'lowest foot' ],
+	'pelvis.mode': [ 'its joint', 'the root', 'nobody' ],
 };
 
 const unitWords: Record<string, string> = { 'L': 'leg lengths', 's': 's', 'rad': 'rad', 'L/s': 'leg lengths a second', '': 'share' };

@@ -3,11 +3,12 @@
 // their joints' spaces, the floor below a place, a clip's motion.
 import * as THREE from 'three';
 import { ContactLabel, hasSimd, LegFlags, loadSole } from '../../build/wasm/sole.js';
-import type { Character, Ground, Rig, SettingInfo, Settings, Skeleton, Sole, Steps, Tracer, Vector } from '../../build/wasm/sole.js';
+import type { Character, Rig, SettingInfo, Settings, Skeleton, Sole, Steps, Tracer, Vector } from '../../build/wasm/sole.js';
 import plainModule from '../../build/wasm/sole-debug.wasm?url';
 import simdModule from '../../build/wasm/sole-debug-simd.wasm?url';
 import { POSE_FLOATS, type CharacterModel } from './character';
 import type { Finding } from './checks';
+import type { GroundHandle, GroundMaker } from './ground-handle';
 
 export type { SettingInfo };
 export const PLANTED = LegFlags.planted;
@@ -57,6 +58,12 @@ function parseSettings( text: string ): SettingValues
 	return values;
 }
 
+/// Makes the grounds that Sole's characters stand on.
+export function groundMaker(): GroundMaker
+{
+	return sole;
+}
+
 export async function openLibrary(): Promise<Library>
 {
 	sole = await loadSole( { url: hasSimd() ? simdModule : plainModule, debug: true } );
@@ -77,34 +84,6 @@ export class SettingsHandle
 	dispose(): void
 	{
 		this.settings.dispose();
-	}
-}
-
-// ---------------------------------------------------------------------------------------------------------- ground
-
-const HIGHEST = 1e3; // m: places are looked for from there
-const DEEPEST = 2e3;
-
-export class GroundHandle
-{
-	readonly ground: Ground;
-
-	/// @param twoSided for files: their triangles are wound as their makers cared
-	constructor( positions: Float32Array, indices: Uint32Array, twoSided: boolean )
-	{
-		this.ground = sole.createGround( { meshes: [ { positions, indices, twoSided } ] } );
-	}
-
-	/// The highest ground at a place that is not above a ceiling.
-	findFloor( x: number, z: number, ceiling: number ): number | null
-	{
-		const hit = this.ground.cast( { start: [ x, Math.min( ceiling, HIGHEST ), z ], direction: [ 0, -1, 0 ], length: DEEPEST } );
-		return hit === null ? null : hit.point[ 1 ]!;
-	}
-
-	dispose(): void
-	{
-		this.ground.dispose();
 	}
 }
 
@@ -265,10 +244,69 @@ export interface Frame
 	tell: StepTell | null;
 }
 
-/// Places the feet of one character.
-export class Placer
+/// What the library tells of the body as a whole.
+export interface BodyTold
+{
+	/// How far the ground that it is over lies over the root, m.
+	groundOffset: number;
+	/// For how long no probe has met anything, s.
+	unmetTime: number;
+	/// What the host is to move the whole character by.
+	rootOffset: readonly number[];
+}
+
+/// Places the feet of one character, by whatever method.
+export interface FootPlacer
 {
 	/// Microseconds of the last frame: gather, cast, solve.
+	readonly cost: readonly number[];
+	/// Of the last frame; null where the method tells nothing.
+	readonly told: BodyTold | null;
+	/// As if it had never placed a frame.
+	forget(): void;
+	/// @param pose in and out
+	place( pose: Float32Array, frame: Frame, ground: GroundHandle ): void;
+	flags( leg: number ): number;
+	ankle( leg: number ): number[];
+	draw( mask: number ): Shape[];
+	/// From now on all frames are recorded, where they can be.
+	beginTrace( capacity?: number ): void;
+	endTrace(): Uint8Array;
+	dispose(): void;
+}
+
+function hear( character: Character, tell: StepTell | null ): void
+{
+	tell !== null ? tell.steps.tell( character, tell ) : character.forgetSteps();
+}
+
+/// Hears what a clip tells of its steps, for those who live in another module.
+export class Listener
+{
+	private readonly character: Character;
+
+	constructor( rig: RigHandle )
+	{
+		this.character = sole.createCharacter( rig.rig );
+	}
+
+	hear( tell: StepTell | null ): { contact: Float32Array; steps: Float32Array }
+	{
+		hear( this.character, tell );
+		return { contact: this.character.contact, steps: this.character.steps };
+	}
+
+	dispose(): void
+	{
+		this.character.dispose();
+	}
+}
+
+const TO_ROOT = 1; // pelvis.mode: the host moves the whole character
+
+/// Sole.
+export class Placer implements FootPlacer
+{
 	readonly cost = [ 0, 0, 0 ];
 	private readonly character: Character;
 	private readonly fresh: Uint8Array;
@@ -280,24 +318,30 @@ export class Placer
 		this.fresh = this.character.snapshot();
 	}
 
-	/// As if it had never placed a frame.
+	get told(): BodyTold
+	{
+		const { output, settings } = this.character;
+		return { groundOffset: output.groundOffset, unmetTime: output.unmetTime,
+			rootOffset: settings.get( 'pelvis.mode' ) === TO_ROOT ? Array.from( output.pelvisOffset ) : [ 0, 0, 0 ] };
+	}
+
 	forget(): void
 	{
 		this.character.restore( this.fresh );
 	}
 
-	/// @param pose in and out
 	place( pose: Float32Array, frame: Frame, ground: GroundHandle ): void
 	{
 		const { character } = this;
 		character.pose = pose;
 		const { tell, ...said } = frame;
 		Object.assign( character.frame, said );
-		tell !== null ? tell.steps.tell( character, tell ) : character.forgetSteps();
+		hear( character, tell );
+		character.setSupports( ground.supports );
 		const times = [ performance.now() ];
 		character.gather();
 		times.push( performance.now() );
-		character.cast( ground.ground );
+		character.cast( ground.answers );
 		times.push( performance.now() );
 		this.tracer !== null ? this.tracer.solve() : character.solve();
 		times.push( performance.now() );
@@ -320,10 +364,10 @@ export class Placer
 		return this.character.draw( mask );
 	}
 
-	/// From now on all frames are recorded.
-	beginTrace(): void
+	beginTrace( capacity?: number ): void
 	{
-		this.tracer = sole.createTracer( this.character );
+		this.tracer?.dispose();
+		this.tracer = sole.createTracer( this.character, capacity );
 	}
 
 	endTrace(): Uint8Array

@@ -2,6 +2,7 @@
 // What scripts and tests may do with the page: window.viewer. Times and places are those of the scene.
 import type { FootReport } from './body';
 import type { FootFigures } from './plots';
+import type { StageTime } from './stage-times';
 import type { Viewer } from './viewer';
 
 export interface ManualViewer
@@ -18,9 +19,14 @@ export interface ManualViewer
 	changes(): Record<string, number>;
 	/// What `sole replay` reads: all frames from the start to a time.
 	trace( time: number ): Uint8Array;
+	/// Microseconds a frame of each stage, while they are measured.
+	stageTimes(): StageTime[];
+	/// What the set-up check says now.
+	findings(): string[];
 	/// The picture, as an address of a PNG.
 	picture(): string;
-	shown(): { character: string; ground: string; characters: number };
+	shown(): { character: string; ground: string; characters: number; methods: string[] };
+	time(): number;
 	/// Names of what there is to choose from.
 	grounds(): string[];
 	drawings(): string[];
@@ -44,8 +50,12 @@ export function offerManual( viewer: Viewer ): void
 		root: () => { const { x, y, z } = viewer.session.walker.root; return [ x, y, z ]; },
 		changes: () => viewer.inspector.changes,
 		trace: ( time ) => viewer.record( time ),
+		stageTimes: () => viewer.stageTimes.times.map( ( time ) => ( { ...time } ) ),
+		findings: () => viewer.checks.findings.map( ( finding ) => `${finding.severity} ${finding.where}: ${finding.what}` ),
 		picture: () => viewer.picture(),
-		shown: () => ( { character: viewer.session.model.name, ground: viewer.session.shape.name, characters: viewer.session.choices.count } ),
+		shown: () => ( { character: viewer.session.model.name, ground: viewer.session.shape.name, characters: viewer.session.choices.count,
+			methods: [ ...viewer.session.choices.methods ] } ),
+		time: () => viewer.session.time,
 		grounds: () => viewer.samples.filter( ( sample ) => sample.kind === 'ground' ).map( ( sample ) => sample.name ),
 		drawings: () => viewer.library.drawInfos.map( ( info ) => info.name ),
 		settings: () => viewer.library.settingInfos.map( ( info ) => info.name ),

@@ -4,20 +4,29 @@ import type { Method } from './body';
 import type { Sample } from './files';
 import { find, getTheme, make, makeOpener, setTheme } from './page';
 
-export const methodChoices: Record<string, { label: string; methods: Method[] }> = {
-	both: { label: 'side by side', methods: [ 'none', 'sole' ] },
-	sole: { label: 'Sole', methods: [ 'sole' ] },
-	none: { label: 'as animated', methods: [ 'none' ] },
-};
+export const methodLabels: Record<Method, string> = { sole: 'Sole', none: 'as animated', homebrew: 'Homebrew Foot IK',
+	iksetting: 'IKSetting', effector: 'And I Must Scream', ozz: 'ozz sample' };
 
-export const methodCaptions: Record<Method, string> = { none: 'as animated', sole: 'placed by Sole' };
+const NOTHING = ''; // beside
+
+function isMethod( name: string ): name is Method
+{
+	return name in methodLabels;
+}
+
+/// One method or two, left to right: "both", "sole", "ozz,sole". What is none is left out.
+export function readMethods( text: string | null ): Method[]
+{
+	const methods = ( text === null || text === 'both' ? 'none,sole' : text ).split( ',' ).filter( isMethod );
+	return methods.length > 0 ? methods.slice( -2 ) : [ 'none', 'sole' ];
+}
 
 export interface PickerEvents
 {
 	character: ( name: string ) => void;
 	clip: ( name: string ) => void;
 	ground: ( name: string ) => void;
-	method: ( name: string ) => void;
+	method: () => void;
 	files: ( files: File[] ) => void;
 	link: () => void;
 }
@@ -26,23 +35,26 @@ type Option = readonly [ value: string, label: string ];
 
 export class Pickers
 {
-	private readonly selects: Record<'character' | 'clip' | 'ground' | 'method', HTMLSelectElement>;
+	private readonly selects: Record<'character' | 'clip' | 'ground' | 'method' | 'beside', HTMLSelectElement>;
 
 	constructor( samples: readonly Sample[], events: PickerEvents )
 	{
-		const choose = ( name: keyof PickerEvents & ( 'character' | 'clip' | 'ground' | 'method' ), label: string ): HTMLSelectElement =>
+		const choose = ( name: keyof Pickers[ 'selects' ], label: string, changed: ( value: string ) => void ): HTMLSelectElement =>
 		{
-			const select = make( 'select', { id: `pick-${name}`, onchange: () => events[ name ]( select.value ) } );
+			const select = make( 'select', { id: `pick-${name}`, onchange: () => changed( select.value ) } );
 			find( 'pickers' ).append( make( 'label', {}, label, select ) );
 			return select;
 		};
-		this.selects = { character: choose( 'character', 'Character' ), clip: choose( 'clip', 'Clip' ),
-			ground: choose( 'ground', 'Ground' ), method: choose( 'method', 'Feet' ) };
+		this.selects = { character: choose( 'character', 'Character', events.character ), clip: choose( 'clip', 'Clip', events.clip ),
+			ground: choose( 'ground', 'Ground', events.ground ), method: choose( 'method', 'Feet', events.method ),
+			beside: choose( 'beside', 'beside', events.method ) };
 		const named = ( kind: string ): Option[] => samples.filter( ( sample ) => sample.kind === kind )
 			.map( ( sample ) => [ sample.name, kind === 'ground' ? `${sample.name}: ${sample.text}` : sample.name ] );
 		this.fill( 'character', named( 'character' ) );
 		this.fill( 'ground', named( 'ground' ) );
-		this.fill( 'method', Object.entries( methodChoices ).map( ( [ name, choice ] ) => [ name, choice.label ] ) );
+		const methods: Option[] = Object.entries( methodLabels );
+		this.fill( 'method', methods );
+		this.fill( 'beside', [ [ NOTHING, 'nothing' ], ...methods ] );
 		const theme = make( 'button', { title: 'Light or dark', 'aria-label': 'Light or dark', onclick: () =>
 			setTheme( getTheme() === 'dark' ? 'light' : 'dark' ) }, '◐' );
 		find( 'tools' ).append(
@@ -64,6 +76,18 @@ export class Pickers
 			select.append( make( 'option', { value }, value ) );
 		}
 		select.value = value;
+	}
+
+	/// The methods that are shown, left to right.
+	get methods(): Method[]
+	{
+		return [ this.value( 'beside' ), this.value( 'method' ) ].filter( isMethod );
+	}
+
+	set methods( methods: readonly Method[] )
+	{
+		this.show( 'method', methods.at( -1 )! );
+		this.show( 'beside', methods.length > 1 ? methods[ 0 ]! : NOTHING );
 	}
 
 	value( name: keyof Pickers[ 'selects' ] ): string

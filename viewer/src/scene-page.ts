@@ -2,14 +2,14 @@
 // The first page of the panel: how the character goes, how many there are, and which stages are on.
 import GUI, { type Controller } from 'lil-gui';
 import { stageSwitches } from './settings';
-import type { WalkMode } from './walker';
+import type { HeightMode, WalkMode } from './walker';
 
 export interface SceneChoices
 {
 	mode: WalkMode;
 	count: number;
 	speed: number;
-	height: boolean;
+	height: HeightMode;
 	weight: number;
 	/// Of who stands, degrees.
 	heading: number;
@@ -21,7 +21,7 @@ export interface SceneChoices
 export function defaultSceneChoices(): SceneChoices
 {
 	return {
-		mode: 'path', count: 1, speed: 1, height: true, weight: 1, heading: 0, follow: true, body: 1,
+		mode: 'path', count: 1, speed: 1, height: 'ground', weight: 1, heading: 0, follow: true, body: 1,
 		stages: Object.fromEntries( stageSwitches.map( ( stage ) => [ stage.name, true ] ) ),
 	};
 }
@@ -59,7 +59,8 @@ export class ScenePage
 		explain( walk.add( choices, 'speed', 0.1, 2, 0.05 ).name( 'clip speed' ), 'How much faster or slower the clip is played.' );
 		this.heading = explain( walk.add( choices, 'heading', -180, 180, 1 ).name( 'heading, °' ), 'Turns who stands. Q and E do the same.' )
 			.onChange( events.turned );
-		explain( walk.add( choices, 'height' ).name( 'automatic height' ), 'The root finds the ground by itself, as a capsule would.' );
+		explain( walk.add( choices, 'height', { 'ground under the root': 'ground', 'what Sole tells': 'sole', 'none': 'none' } ).name( 'automatic height' ),
+			'The root finds the ground by itself, as a capsule would; or moves by soleOutput.groundOffset; or stays as it is.' );
 		explain( walk.add( choices, 'weight', 0, 1, 0.01 ).name( 'weight' ), 'How much Sole changes: 0 leaves the pose as it is.' );
 		const look = this.gui.addFolder( 'Look' );
 		explain( look.add( choices, 'count', 1, 200, 1 ).name( 'characters' ), 'So many walk at once.' ).onFinishChange( events.populate );

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Settings as the page keeps them: values by dotted names, what was changed, presets, and stages that are switched off.
+import effector from '../../settings/effector.json';
+import homebrew from '../../settings/homebrew.json';
+import ikSetting from '../../settings/iksetting.json';
+import ozz from '../../settings/ozz.json';
 import type { SettingInfo, SettingValues } from './library';
 
 export function defaultsOf( infos: readonly SettingInfo[] ): SettingValues
@@ -27,6 +31,13 @@ export interface Preset
 	values: SettingValues;
 }
 
+/// Settings of a file by their dotted names.
+function flatten( stages: Record<string, Record<string, number>> ): SettingValues
+{
+	return Object.fromEntries( Object.entries( stages ).flatMap( ( [ stage, fields ] ) =>
+		Object.entries( fields ).map( ( [ field, value ] ) => [ `${stage}.${field}`, value ] ) ) );
+}
+
 /// What is not named keeps its default.
 export const presets: readonly Preset[] = [
 	{ name: 'Defaults', values: {} },
@@ -36,6 +47,10 @@ export const presets: readonly Preset[] = [
 	{ name: 'Heavy: slow body', values: { 'pelvis.halfLife': 0.16, 'pelvis.release': 0.45, 'pelvis.speed': 0.6, 'contact.replantTime': 0.4 } },
 	{ name: 'Nimble: quick body', values: { 'pelvis.halfLife': 0.04, 'pelvis.hold': 0.4, 'contact.releaseHalfLife': 0.04, 'contact.replantTime': 0.18 } },
 	{ name: 'Rough ground: spheres', values: { 'probe.shape': 1, 'probe.radius': 0.04, 'probe.stepUp': 0.7, 'probe.stepDown': 0.8 } },
+	{ name: 'As Homebrew Foot IK', values: flatten( homebrew ) },
+	{ name: 'As IKSetting', values: flatten( ikSetting ) },
+	{ name: 'As And I Must Scream', values: flatten( effector ) },
+	{ name: 'As the ozz sample', values: flatten( ozz ) },
 ];
 
 // ---------------------------------------------------------------------------------------------------------- stages

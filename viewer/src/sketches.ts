@@ -166,6 +166,54 @@ function pelvis( length: number, sign: number ): string
 		line( HIP.x, HIP.y, 112, HIP.y, ink, 1, '3 3' );
 }
 
+/// A foot that follows a steep slope no further than an angle.
+function tilt( most: number ): string
+{
+	const steep = 0.8;
+	const dx = 86 * Math.cos( steep );
+	const dy = 86 * Math.sin( steep );
+	return ground() + line( 24, GROUND, 24 + dx, GROUND - dy, ink, 3 ) +
+		foot( 24 + 0.5 * dx, GROUND - 0.5 * dy - 6, Math.min( most, steep ), strong );
+}
+
+/// A sole so far over the ground, or below it.
+function lifted( length: number ): string
+{
+	const y = 72 - length * LEG * 0.5;
+	return ground( 76 ) + foot( 52, y, 0, strong ) + line( 96, 76, 96, y + 4, strong, 3 );
+}
+
+/// How much of the way from the animated foot to the placed one is gone, over ground of a height.
+function kept( share: number, rise: number ): string
+{
+	const animated = 58;
+	const placed = animated - rise;
+	return ground() + line( 30, GROUND - rise, 98, GROUND - rise, ink, 3 ) + foot( 56, animated, 0, ink ) +
+		foot( 56, animated + share * ( placed - animated ), 0, strong ) + text( 106, 20, `${( 100 * share ).toFixed( 0 )} %` );
+}
+
+/// Two feet on steps, and the line that the pelvis goes with.
+function follow( kind: number ): string
+{
+	const feet = foot( 28, 86 ) + foot( 78, 62 ) + line( 6, GROUND, 64, GROUND, ink, 1.5 ) + line( 64, GROUND, 64, 68, ink, 1.5 ) + line( 64, 68, 122, 68, ink, 1.5 );
+	const lines = [ line( 14, 48, 114, 24, strong, 3 ) + foot( 104, 44, 0, strong ), line( 30, 44, 80, 20, strong, 3 ), line( 14, 44, 114, 44, strong, 3 ) ];
+	return feet + ( lines[ kind ] ?? '' );
+}
+
+/// What is moved by the pelvis' offset: its joint, all of the character, or nothing.
+function mover( kind: number ): string
+{
+	const arrow = path( 'M104 30 L104 52 M99 47 L104 52 L109 47' );
+	const body = leg( 0.9, HIP.x, HIP.y + 8, kind === 1 ? strong : ink );
+	return ground() + body + circle( HIP.x, HIP.y + 8, 5, kind === 2 ? ink : strong, kind === 0 ? strong : 'none' ) + ( kind === 2 ? text( 104, 50, 'told' ) : arrow );
+}
+
+/// A foot of which one probe is left after a while.
+function sleep( seconds: number ): string
+{
+	return seconds > 0 ? probes( 2 ) + text( 24, 26, `${seconds.toFixed( 1 )} s` ) : probes( 0 );
+}
+
 type Sketch = ( value: number, most: number ) => string;
 
 const byName: Record<string, Sketch> = {
@@ -174,6 +222,7 @@ const byName: Record<string, Sketch> = {
 	'probe.radius': sphere,
 	'probe.stepUp': ( v ) => height( v ),
 	'probe.stepDown': ( v ) => height( v, -1 ),
+	'probe.sleep': sleep,
 	'support.maxSlope': slope,
 	'contact.pivot': pivot,
 	'contact.lockDistance': ring,
@@ -183,6 +232,13 @@ const byName: Record<string, Sketch> = {
 	'target.toeOutLeft': turned,
 	'target.toeOutRight': ( v ) => turned( -v ),
 	'target.align': ( v ) => slope( 0.4 ) + foot( 84, 40, 0.4 * v, strong ),
+	'target.maxTilt': tilt,
+	'target.height': lifted,
+	'target.flight': ( v ) => kept( v, 22 ),
+	'target.moving': ( v ) => kept( v, 22 ) + path( 'M12 20 L40 20 M34 15 L40 20 L34 25' ),
+	'target.unreachable': ( v ) => kept( v, -22 ),
+	'pelvis.follow': follow,
+	'pelvis.mode': mover,
 	'pelvis.down': ( v ) => pelvis( v, 1 ),
 	'pelvis.up': ( v ) => pelvis( v, -1 ),
 	'leg.reach': reach,

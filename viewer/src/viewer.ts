@@ -11,15 +11,18 @@ import { GroundShape } from './ground';
 import { Dragger, Keys } from './input';
 import { Inspector } from './inspector';
 import { Labels, type Label } from './labels';
+import { openMethods } from './methods';
+import { FEET_LAYERS } from './motion';
 import type { Library, Shape } from './library';
 import { addTab, find, make, messageOf, say, setTheme } from './page';
-import { methodCaptions, methodChoices, Pickers } from './pickers';
+import { methodLabels, Pickers, readMethods } from './pickers';
 import { Plots } from './plots';
 import { ScenePage, defaultSceneChoices, type SceneChoices } from './scene-page';
-import { Session } from './session';
+import { needsMethods, Session } from './session';
 import { applySwitches } from './settings';
 import { ShowPage } from './show-page';
 import { LAYER_FIRST, LAYER_SECOND, Stage } from './stage';
+import { StageTimes } from './stage-times';
 import { TIME_STEP, Transport } from './transport';
 import type { Steering } from './walker';
 
@@ -38,14 +41,16 @@ export class Viewer
 	private readonly pickers: Pickers;
 	private readonly scenePage: ScenePage;
 	private readonly showPage: ShowPage;
-	private readonly checks: Checks;
+	readonly checks: Checks;
 	private readonly plots = new Plots();
+	readonly stageTimes = new StageTimes();
 	private readonly labels: Labels;
 	private readonly gizmos = new Gizmos();
 	private readonly keys: Keys;
 	private model!: CharacterModel;
 	private shape!: GroundShape;
 	private behind = 0; // s that have not been stepped yet
+	private recording = false;
 	private texts: Shape[] = [];
 	private costs = [ 0, 0, 0 ];
 	private framesPerSecond = 60;
@@ -59,12 +64,12 @@ export class Viewer
 		this.stage = new Stage( find<HTMLCanvasElement>( 'canvas' ), this.address.manual );
 		this.stage.scene.add( this.gizmos.group );
 		this.labels = new Labels( this.stage );
-		this.transport = new Transport( () => this.advance( 1 ), () => this.restart() );
+		this.transport = new Transport( () => this.advance( 1 ), () => this.restart(), this.stageTimes.button );
 		this.pickers = new Pickers( samples, {
 			character: ( name ) => void this.attempt( () => this.pickCharacter( name ) ),
 			clip: () => this.begin(),
 			ground: ( name ) => void this.attempt( () => this.pickGround( name ) ),
-			method: () => this.begin(),
+			method: () => void this.attempt( () => this.pickMethods() ),
 			files: ( files ) => void this.openFiles( files ),
 			link: () => void this.copyLink(),
 		} );
@@ -77,7 +82,7 @@ export class Viewer
 		const show = addTab( 'show', 'Show' );
 		const checks = addTab( 'checks', 'Checks', () => this.refresh() );
 		this.scenePage = new ScenePage( scene.page, this.choices, {
-			populate: () => this.begin(), stages: () => this.takeSettings(), turned: () => this.turn( 0 ), body: () => this.showBody() } );
+			populate: () => this.begin(), stages: () => this.takeSettings(), turned: () => this.turn( 0 ), body: () => this.session.setOpacity( this.choices.body ) } );
 		this.inspector = new Inspector( settings.page, library, () => this.takeSettings() );
 		this.showPage = new ShowPage( show.page, library.drawInfos, this.address.show, () => this.refresh() );
 		this.checks = new Checks( checks.page, () => this.refresh() );
@@ -97,9 +102,12 @@ export class Viewer
 		this.listClips( this.address.clip );
 		this.pickers.show( 'character', this.model.name );
 		this.pickers.show( 'ground', this.shape.name );
-		const method = this.address.method ?? 'both';
-		this.pickers.show( 'method', method in methodChoices ? method : 'both' );
-		this.begin();
+		this.pickers.methods = readMethods( this.address.method );
+		if ( this.address.mode === null )
+		{
+			this.fitMode( null );
+		}
+		await this.pickMethods();
 		if ( this.address.set.length > 0 )
 		{
 			this.inspector.chooseChanges( Object.fromEntries( this.address.set ) );
@@ -133,7 +141,7 @@ export class Viewer
 	private async loadGround( name: string ): Promise<GroundShape>
 	{
 		const sample = this.samples.find( ( one ) => one.name === name );
-		return new GroundShape( name, ( await parseGlb( name, await fetchSample( name ) ) ).scene, sample?.path );
+		return new GroundShape( name, ( await parseGlb( name, await fetchSample( name ) ) ).scene, sample );
 	}
 
 	private async pickCharacter( name: string ): Promise<void>
@@ -149,6 +157,28 @@ export class Viewer
 		if ( name !== this.shape.name )
 		{
 			this.takeGround( await this.loadGround( name ) );
+		}
+	}
+
+	/// The ancestors are loaded when one of them is first wanted.
+	private async pickMethods(): Promise<void>
+	{
+		if ( needsMethods( this.pickers.methods ) )
+		{
+			await openMethods();
+		}
+		this.begin();
+	}
+
+	/// A ground that moves is stood on, one that does not is walked over; who goes by keys goes on.
+	private fitMode( before: GroundShape | null ): void
+	{
+		const moved = ( before?.duration ?? null ) !== null;
+		const moves = this.shape.duration !== null;
+		if ( moved !== moves && this.choices.mode !== 'keys' )
+		{
+			this.choices.mode = moves ? 'stand' : 'path';
+			this.scenePage.refresh();
 		}
 	}
 
@@ -173,8 +203,10 @@ export class Viewer
 
 	private takeGround( shape: GroundShape ): void
 	{
-		this.shape.dispose();
+		const before = this.shape;
+		before.dispose();
 		this.shape = shape;
+		this.fitMode( before );
 		this.begin();
 	}
 
@@ -220,27 +252,25 @@ export class Viewer
 
 	// --------------------------------------------------------------------------------------------------------- session
 
-	private get methods(): typeof methodChoices[ string ][ 'methods' ]
-	{
-		return methodChoices[ this.pickers.value( 'method' ) ]?.methods ?? [ 'sole' ];
-	}
-
 	/// A new session of what is loaded and chosen. Throws where that can't be.
 	begin(): void
 	{
 		const clip = this.model.findClip( this.pickers.value( 'clip' ) );
-		const session = new Session( this.model, this.shape, clip, { ...this.choices, methods: this.methods } );
+		const { methods } = this.pickers;
+		const session = new Session( this.model, this.shape, clip, { ...this.choices, methods } );
 		const first = this.session === undefined || this.session.model !== this.model || this.session.shape !== this.shape;
+		this.stageTimes.stop();
 		this.session?.dispose();
 		this.session = session;
-		this.stage.scene.add( session.group, this.shape.mesh );
-		this.stage.views = this.methods.length > 1 && this.choices.count === 1 ? [ LAYER_FIRST, LAYER_SECOND ] : [ LAYER_FIRST ];
+		this.stage.scene.add( session.group, this.shape.group );
+		this.stage.views = methods.length > 1 && this.choices.count === 1 ? [ LAYER_FIRST, LAYER_SECOND ] : [ LAYER_FIRST ];
 		this.gizmos.setLayer( session.heroView === 0 ? LAYER_FIRST : LAYER_SECOND );
-		const shown = this.choices.count > 1 ? this.methods.slice( -1 ) : this.methods;
-		find( 'captions' ).replaceChildren( ...shown.map( ( method ) => make( 'span', {}, methodCaptions[ method ] ) ) );
+		const shown = this.choices.count > 1 ? methods.slice( -1 ) : methods;
+		find( 'captions' ).replaceChildren( ...shown.map( ( method ) =>
+			make( 'span', {}, method === 'none' ? methodLabels.none : `placed by ${methodLabels[ method ]}` ) ) );
 		this.checks.show( session.findings );
 		this.takeSettings();
-		this.showBody();
+		session.setOpacity( this.choices.body );
 		this.restart();
 		if ( first )
 		{
@@ -251,27 +281,10 @@ export class Viewer
 
 	private takeSettings(): void
 	{
-		this.session.settings.set( applySwitches( this.inspector.values, this.choices.stages ) );
+		const values = applySwitches( this.inspector.values, this.choices.stages );
+		// What carries roots alone, or nobody, is no ground for feet.
+		this.session.settings.set( { ...values, 'probe.mask': ( values[ 'probe.mask' ]! & FEET_LAYERS ) >>> 0 } );
 		this.refresh();
-	}
-
-	private showBody(): void
-	{
-		const solid = this.choices.body;
-		this.session.group.traverse( ( node ) =>
-		{
-			const mesh = node as THREE.Mesh;
-			if ( mesh.isMesh === true )
-			{
-				for ( const material of Array.isArray( mesh.material ) ? mesh.material : [ mesh.material ] )
-				{
-					material.transparent = solid < 1;
-					material.opacity = solid;
-					material.depthWrite = solid > 0.5;
-				}
-				mesh.visible = solid > 0;
-			}
-		} );
 	}
 
 	restart(): void
@@ -304,10 +317,15 @@ export class Viewer
 			{
 				this.stage.follow( this.session.focus(), TIME_STEP, this.session.walker.jumped );
 			}
+			if ( this.recording === false )
+			{
+				this.stageTimes.hear( this.session.hero, this.costs );
+			}
 			this.session.cost().forEach( ( cost, index ) => { this.costs[ index ]! += ( cost - this.costs[ index ]! ) * 0.03; } );
 		}
 		if ( steps > 0 )
 		{
+			this.checks.hear( this.session.hero.told?.unmetTime ?? 0 );
 			this.refresh();
 		}
 	}
@@ -380,9 +398,12 @@ export class Viewer
 	record( time: number ): Uint8Array
 	{
 		const { hero } = this.session;
+		this.stageTimes.stop();
+		this.recording = true;
 		hero.beginTrace();
 		this.restart();
 		this.stepTo( time );
+		this.recording = false;
 		return hero.endTrace();
 	}
 
@@ -417,7 +438,7 @@ export class Viewer
 	/// Without automatic height.
 	private lift( by: number ): void
 	{
-		this.session.walker.root.y += this.choices.height ? 0 : by;
+		this.session.walker.root.y += this.choices.height === 'none' ? by : 0;
 	}
 
 	private listen(): void
@@ -458,7 +479,7 @@ export class Viewer
 	private async copyLink(): Promise<void>
 	{
 		const changes = Object.entries( this.inspector.changes ).map( ( [ name, value ] ) => `${name}:${value}` );
-		const link = writeAddress( { scene: this.shape.name, clip: this.pickers.value( 'clip' ), method: this.pickers.value( 'method' ),
+		const link = writeAddress( { scene: this.shape.name, clip: this.pickers.value( 'clip' ), method: this.pickers.methods.join( ',' ),
 			mode: this.choices.mode === 'path' ? '' : this.choices.mode, show: this.showPage.names.join( ',' ), set: changes.join( ',' ) } );
 		try
 		{

@@ -12,6 +12,9 @@ const DEEP = 20; // m: who has fallen so far begins anew
 /// Height of the highest ground at a place that is not above a ceiling, or null.
 export type FloorFcn = ( x: number, z: number, ceiling: number ) => number | null;
 
+/// What gives the root its height: the ground under it, what Sole says of the ground that the body is over, or nobody.
+export type HeightMode = 'ground' | 'sole' | 'none';
+
 export type WalkMode = 'path' | 'keys' | 'stand';
 
 /// What a player wants: a share of full speed, and where to.
@@ -83,6 +86,13 @@ export class Walker
 		this.jumped = true;
 	}
 
+	/// Goes along with what it rides on: sideways; its height finds itself.
+	carry( way: { x: number; z: number } | null ): void
+	{
+		this.root.x += way?.x ?? 0;
+		this.root.z += way?.z ?? 0;
+	}
+
 	/// Dragged: goes there as a body that is pushed, its height by itself if that is wanted.
 	drag( x: number, z: number ): void
 	{
@@ -130,6 +140,12 @@ export class Walker
 		this.move( steering.amount * speed * timeStep, this.root.heading + stride );
 	}
 
+	private lift( offset: number ): void
+	{
+		this.root.y += offset;
+		this.fall = 0;
+	}
+
 	/// The height by itself.
 	private settle( timeStep: number ): void
 	{
@@ -153,7 +169,8 @@ export class Walker
 
 	/// One step of time.
 	/// @param speed of the clip, m/s; @param stride the way it strides to against the way it faces
-	step( mode: WalkMode, steering: Steering, speed: number, stride: number, timeStep: number, settles: boolean ): void
+	/// @param offset how far the ground is over the root, by somebody who knows; null: looks by itself
+	step( mode: WalkMode, steering: Steering, speed: number, stride: number, timeStep: number, height: HeightMode, offset: number | null ): void
 	{
 		const x = this.root.x;
 		const z = this.root.z;
@@ -166,9 +183,9 @@ export class Walker
 		{
 			this.goAsSteered( steering, speed, timeStep, stride );
 		}
-		if ( settles && this.jumped === false )
+		if ( height !== 'none' && this.jumped === false )
 		{
-			this.settle( timeStep );
+			height === 'sole' && offset !== null ? this.lift( offset ) : this.settle( timeStep );
 		}
 		this.speed = this.jumped || timeStep <= 0 ? 0 : Math.hypot( this.root.x - x, this.root.z - z ) / timeStep;
 	}

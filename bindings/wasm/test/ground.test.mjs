@@ -52,6 +52,10 @@ test("pieces are met where they are now", () => {
 	near(hit.point, [1.1, 1.1, 0], 1e-4);
 	near(hit.velocity, [0, 0, -2.2], 1e-4);
 	assert.equal(hit.surface, 7);
+	pieces.move(0, { there: false });
+	assert.equal(pieces.cast({ start: [1.1, 9, 0], direction: down, length: 20 }), null);
+	pieces.move(0, { there: true });
+	near(pieces.cast({ start: [1.1, 9, 0], direction: down, length: 20 }).point, [1.1, 1.1, 0], 1e-4);
 	assert.throws(() => pieces.move(2, {}), /piece: is 2: give a whole number from 0 to 1/);
 	assert.throws(() => pieces.move(0, { translation: [1] }), /translation: has 1 numbers/);
 	pieces.dispose();
