@@ -98,7 +98,7 @@ export class Report
 		this.walk = data.walks[ 0 ]!;
 		this.stage = new Stage( find<HTMLCanvasElement>( 'canvas' ), manual );
 		this.stage.views = [ LAYER_FIRST, LAYER_SECOND ];
-		this.stage.scene.add( new GroundShape( baseName( data.ground ), ground.scene ).mesh );
+		this.stage.scene.add( new GroundShape( baseName( data.ground ), ground.scene ).group );
 		this.seen = this.stage.views.map( ( layer ) =>
 		{
 			const instance = new CharacterInstance( gltf.scene );

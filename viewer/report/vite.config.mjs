@@ -37,6 +37,6 @@ export default defineConfig( {
 		target: 'es2022',
 		modulePreload: false,
 		chunkSizeWarningLimit: 900,
-		rolldownOptions: { input: new URL( './template.html', import.meta.url ).pathname },
+		rollupOptions: { input: new URL( './template.html', import.meta.url ).pathname },
 	},
 } );

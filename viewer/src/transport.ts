@@ -28,8 +28,8 @@ export class Transport
 	private readonly clock = make( 'output', { 'aria-label': 'Time' } );
 	private readonly cost = make( 'output', { class: 'push rates', 'aria-label': 'Cost of a frame' } );
 
-	/// @param step one frame on; @param restart from the beginning; @param more another button
-	constructor( private readonly step: () => void, restart: () => void, more: HTMLElement )
+	/// @param step one frame on; @param restart from the beginning; @param more other buttons
+	constructor( private readonly step: () => void, restart: () => void, ...more: HTMLElement[] )
 	{
 		this.slow.append( ...RATES.map( ( rate ) => make( 'option', { value: String( rate ) }, rate === 1 ? 'real time' : `${rate} ×` ) ) );
 		this.slow.addEventListener( 'change', () => { this.rate = Number( this.slow.value ); } );
@@ -37,7 +37,7 @@ export class Transport
 			make( 'button', { title: 'From the start (R)', 'aria-label': 'From the start', onclick: restart }, makeIcon( 'start' ) ),
 			this.play,
 			make( 'button', { title: 'One frame on (.)', 'aria-label': 'One frame on', onclick: () => this.stepOnce() }, makeIcon( 'step' ) ),
-			make( 'label', { class: 'speed' }, this.slow ), this.clock, this.cost, more );
+			make( 'label', { class: 'speed' }, this.slow ), this.clock, this.cost, ...more );
 		this.refresh();
 	}
 
