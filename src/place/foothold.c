@@ -6,9 +6,9 @@
 //   cost = 2 distance + max( 0, share - bearing share ) + 10 max( 0, depth - 2 mm )     lengths in leg lengths / 0.9
 // and half of the second term for what is ahead of the ball and for what is behind it, each by itself: a foot comes
 // down on its heel and leaves with its toes, so a sole should not hang over an edge when a small shift helps; and a
-// little more where an end of the sole has no room to what is higher. The place
-// taken last is one of them, and keeps its rank unless another is better by MUCH; near the end it is settled. The foot
-// travels there in flight, on the way of way.c: it need not slide once it is down.
+// little more where an end of the sole has no room to what is higher. The place taken last is one of them, and keeps
+// its rank unless another is better by MUCH; near the end it is settled. The foot travels there in flight, on the way
+// of way.c: it need not slide once it is down.
 //
 // Standing. A foot that comes down stands on what was foreseen until it is held; then its ground is read closely, once,
 // and that plane is kept until what is met under the foot changes.

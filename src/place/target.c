@@ -14,7 +14,7 @@
 #include "place/place.h"
 
 #define FLATTEN_TIME 0.04f // s, half-life
-#define AT_REST 0.15f      // L/s: a heel that is slower neither comes down nor leaves
+#define HEEL_RESTS 0.15f   // L/s: a heel that is slower neither comes down nor leaves
 
 /// Follows less of the slope, and stays above the ground for it: the flatter plane is raised until it touches the old
 /// one at an end of the sole.
@@ -60,7 +60,7 @@ static soleQuat soleLayFlat( const solePlaceWork* work, soleLegWork* leg )
 	const soleSettings* s = work->settings;
 	soleLegState* state = leg->state;
 	const uint32_t both = (uint32_t)( sole_stateHeelOn | sole_stateToeOn );
-	bool rests = ( state->flags & both ) == both && leg->heelSpeed < AT_REST * leg->length;
+	bool rests = ( state->flags & both ) == both && leg->heelSpeed < HEEL_RESTS * leg->length;
 	float length = soleMaxF( soleDistance( leg->heel, leg->pivot ), 0.01f * leg->length );
 	float sine = soleClampF( ( leg->heelRise - leg->ballRise ) / length, 0.0f, 1.0f );
 	// Of a sine so small that the angle is nearly as large; what is beyond the limit stays.
