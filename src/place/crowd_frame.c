@@ -53,28 +53,23 @@ static soleFrame soleFrameOf( const soleCrowdRow* row, const soleFrame* frame )
 	return longer;
 }
 
-/// @return how many probes were written, SOLE_NONE: there is no room for them
-static int32_t soleAskForOne(
-    const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleProbe* probes, int32_t capacity )
+/// Begins the frame of a character on a copy of its memory.
+static void soleBeginOne( const soleCrowd* crowd, int32_t index, const soleSettings* settings, const soleFrame* frame,
+    solePlaceWork* work, soleState* copy )
 {
-	const soleCrowdRow* row = soleRowOf( crowd, index );
-	soleFrame longer = soleFrameOf( row, frame );
-	if ( !soleIsFrameUsable( &longer ) )
-	{
-		return 0;
-	}
-	soleSettings scratch;
-	soleOutput out;
-	soleState copy;
-	memcpy( &copy, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
-	solePlaceWork work;
-	soleBeginFrame( &work, crowd->rig, soleSettingsOf( crowd, row, &scratch ), &copy, &longer, &out );
-	int32_t perLeg = soleProbesPerLeg( work.settings );
+	memcpy( copy, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
+	soleBeginFrame( work, crowd->rig, settings, copy, frame, soleOutputOf( crowd, index ) );
+}
+
+/// @return how many probes were written, SOLE_NONE: there is no room for them
+static int32_t soleAskForOne( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
+{
+	int32_t perLeg = soleProbesPerLeg( work->settings );
 	int32_t count = 0;
-	for ( int32_t i = 0; i < work.legCount * perLeg; ++i )
+	for ( int32_t i = 0; i < work->legCount * perLeg; ++i )
 	{
 		soleProbe probe;
-		if ( soleAskGround( &work, work.legs + i / perLeg, i % perLeg, &probe ) )
+		if ( soleAskGround( work, work->legs + i / perLeg, i % perLeg, &probe ) )
 		{
 			if ( count >= capacity )
 			{
@@ -86,6 +81,39 @@ static int32_t soleAskForOne(
 	return count;
 }
 
+/// A character's part of a work area, made ready for beginning its frame there.
+static soleCrowdBegun* soleOpenBegun( const soleCrowd* crowd, void* work, int32_t k )
+{
+	soleCrowdBegun* begun = soleBegunOf( crowd, work, k );
+	begun->work.slots = (soleTransform*)( (unsigned char*)begun + soleBegunSlotsAt( crowd ) );
+	begun->work.legs = (soleLegWork*)( (unsigned char*)begun + soleBegunLegsAt( crowd ) );
+	return begun;
+}
+
+/// @param begun its part of a work area, or NULL
+static int32_t soleGatherOne( const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleProbe* probes,
+    int32_t capacity, soleCrowdBegun* begun )
+{
+	const soleCrowdRow* row = soleRowOf( crowd, index );
+	soleFrame longer = soleFrameOf( row, frame );
+	if ( !soleIsFrameUsable( &longer ) )
+	{
+		return 0;
+	}
+	soleSettings scratch;
+	const soleSettings* settings = soleSettingsOf( crowd, row, &scratch );
+	if ( begun != NULL )
+	{
+		soleBeginOne( crowd, index, settings, &longer, &begun->work, &begun->state );
+		return soleAskForOne( &begun->work, probes, capacity );
+	}
+	soleState copy;
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
+	soleBeginOne( crowd, index, settings, &longer, &work, &copy );
+	return soleAskForOne( &work, probes, capacity );
+}
+
 /// Who of the range is asked first in a frame.
 static int32_t soleFindTurn( uint32_t frame, int32_t count )
 {
@@ -93,7 +121,7 @@ static int32_t soleFindTurn( uint32_t frame, int32_t count )
 }
 
 int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames,
-    soleProbe* probes, int32_t capacity, soleCrowdAsk* asks )
+    soleProbe* probes, int32_t capacity, soleCrowdAsk* asks, void* work )
 {
 	bool given = count <= 0 ||
 	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL &&
@@ -107,7 +135,8 @@ int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, c
 		asks[k] = ( soleCrowdAsk ){ .first = written, .waits = true };
 		if ( soleIsItsTurn( soleRowOf( crowd, first + k ), frames + k ) )
 		{
-			int32_t asked = soleAskForOne( crowd, first + k, frames + k, probes + written, capacity - written );
+			soleCrowdBegun* begun = work != NULL ? soleOpenBegun( crowd, work, k ) : NULL;
+			int32_t asked = soleGatherOne( crowd, first + k, frames + k, probes + written, capacity - written, begun );
 			asks[k].waits = asked == SOLE_NONE;
 			asks[k].count = asked == SOLE_NONE ? 0 : asked;
 			written += asks[k].count;
@@ -128,31 +157,58 @@ static soleQuat soleTurnOn( soleQuat animated, soleQuat turn )
 	return soleNormalizeQuat( soleMulQuat( soleNormalizeQuat( animated ), turn ) );
 }
 
-/// Remembers what a solved frame has turned.
-static void soleKeepTurns( const soleCrowd* crowd, int32_t index, const soleFrame* frame )
+/// Remembers how a solved frame was animated. By how much it was turned is only asked when it waits.
+static void soleKeepAnimated( const soleCrowd* crowd, int32_t index, const soleFrame* frame )
 {
 	const soleRig* rig = crowd->rig;
-	const soleOutput* out = soleOutputOf( crowd, index );
 	soleCrowdRow* row = soleRowOf( crowd, index );
-	row->pelvisMoved = soleSub( out->pelvisTranslation_l, frame->pose[rig->pelvis].translation );
+	row->fresh = true;
+	row->pelvisMoved =
+	    soleSub( soleOutputOf( crowd, index )->pelvisTranslation_l, frame->pose[rig->pelvis].translation );
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
 		const soleLegDef* leg = &rig->legs[i].def;
-		const soleLegOutput* o = out->legs + i;
 		soleCrowdTurns* turns = soleTurnsOf( crowd, index ) + i;
 		for ( int32_t j = 0; j < leg->jointCount; ++j )
 		{
-			turns->joints[j] = soleTurnSince( frame->pose[leg->joints[j]].rotation, o->rotations_l[j] );
+			turns->joints[j] = frame->pose[leg->joints[j]].rotation;
 		}
 		if ( leg->toeCount > 0 )
 		{
-			turns->toe = soleTurnSince( frame->pose[leg->toes[0]].rotation, o->toeRotation_l );
+			turns->toe = frame->pose[leg->toes[0]].rotation;
 		}
 		if ( leg->detachedFoot != SOLE_NONE )
 		{
-			soleTransform foot = frame->pose[leg->detachedFoot];
-			turns->foot = soleTurnSince( foot.rotation, o->footRotation_l );
-			turns->footMoved = soleSub( o->footTranslation_l, foot.translation );
+			turns->foot = frame->pose[leg->detachedFoot].rotation;
+			turns->footMoved = frame->pose[leg->detachedFoot].translation;
+		}
+	}
+}
+
+/// What the last solved frame has turned, of how it was animated and placed: before its output is written over.
+static void soleFindTurns( const soleCrowd* crowd, int32_t index )
+{
+	const soleRig* rig = crowd->rig;
+	soleCrowdRow* row = soleRowOf( crowd, index );
+	bool fresh = row->fresh;
+	row->fresh = false;
+	for ( int32_t i = 0; i < rig->legCount && fresh; ++i )
+	{
+		const soleLegDef* leg = &rig->legs[i].def;
+		const soleLegOutput* o = soleOutputOf( crowd, index )->legs + i;
+		soleCrowdTurns* turns = soleTurnsOf( crowd, index ) + i;
+		for ( int32_t j = 0; j < leg->jointCount; ++j )
+		{
+			turns->joints[j] = soleTurnSince( turns->joints[j], o->rotations_l[j] );
+		}
+		if ( leg->toeCount > 0 )
+		{
+			turns->toe = soleTurnSince( turns->toe, o->toeRotation_l );
+		}
+		if ( leg->detachedFoot != SOLE_NONE )
+		{
+			turns->foot = soleTurnSince( turns->foot, o->footRotation_l );
+			turns->footMoved = soleSub( o->footTranslation_l, turns->footMoved );
 		}
 	}
 }
@@ -162,6 +218,7 @@ static void soleWait( soleCrowd* crowd, int32_t index, const soleFrame* frame )
 {
 	const soleRig* rig = crowd->rig;
 	soleOutput* out = soleOutputOf( crowd, index );
+	soleFindTurns( crowd, index );
 	out->legCount = rig->legCount;
 	out->pelvisTranslation_l = soleAdd( frame->pose[rig->pelvis].translation, soleRowOf( crowd, index )->pelvisMoved );
 	for ( int32_t i = 0; i < rig->legCount; ++i )
@@ -190,10 +247,9 @@ static void soleWait( soleCrowd* crowd, int32_t index, const soleFrame* frame )
 
 // ----------------------------------------------------------------------------------------------------------- solve
 
-static void soleSolveOne( soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleProbe* probes,
-    const soleHit* hits, int32_t hitCount )
+/// The answers by leg.
+static soleLegHits soleSortHits( const soleRig* rig, const soleProbe* probes, const soleHit* hits, int32_t hitCount )
 {
-	const soleRig* rig = crowd->rig;
 	soleLegHits byLeg = { .hits = hits };
 	for ( int32_t i = 0, k = 0; i <= rig->legCount; ++i )
 	{
@@ -203,13 +259,36 @@ static void soleSolveOne( soleCrowd* crowd, int32_t index, const soleFrame* fram
 		}
 		byLeg.starts[i] = k;
 	}
+	return byLeg;
+}
+
+/// @param begun its part of a work area, or NULL
+static void soleSolveOne(
+    soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleLegHits* hits, soleCrowdBegun* begun )
+{
 	soleSettings scratch;
 	const soleSettings* settings = soleSettingsOf( crowd, soleRowOf( crowd, index ), &scratch );
-	soleSolveFrame( rig, settings, soleStateOf( crowd, index ), frame, &byLeg, soleOutputOf( crowd, index ) );
+	soleState* state = soleStateOf( crowd, index );
+	soleOutput* output = soleOutputOf( crowd, index );
+	SOLE_ASSERT( begun == NULL || begun->work.out == output );
+	if ( begun != NULL && begun->work.out == output )
+	{
+		soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
+		begun->work.samples = samples;
+		begun->work.settings = settings;
+		begun->work.frame = frame;
+		soleEndFrame( &begun->work, hits );
+		memcpy( state, &begun->state, soleState_GetByteCount( crowd->rig ) );
+		return;
+	}
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
+	soleBeginFrame( &work, crowd->rig, settings, state, frame, output );
+	soleEndFrame( &work, hits );
 }
 
 void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames, const soleProbe* probes,
-    const soleHit* hits, const soleCrowdAsk* asks )
+    const soleHit* hits, const soleCrowdAsk* asks, void* work )
 {
 	bool given = count <= 0 ||
 	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL );
@@ -222,6 +301,7 @@ void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleF
 		row->frames += 1;
 		if ( !soleIsFrameUsable( &longer ) )
 		{
+			soleFindTurns( crowd, first + i );
 			soleRefuseFrame( crowd->rig, frames + i, soleOutputOf( crowd, first + i ) );
 		}
 		else if ( ask->waits )
@@ -232,8 +312,10 @@ void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleF
 		}
 		else
 		{
-			soleSolveOne( crowd, first + i, &longer, probes + ask->first, hits + ask->first, ask->count );
-			soleKeepTurns( crowd, first + i, frames + i );
+			soleCrowdBegun* begun = work != NULL ? soleBegunOf( crowd, work, i ) : NULL;
+			soleLegHits byLeg = soleSortHits( crowd->rig, probes + ask->first, hits + ask->first, ask->count );
+			soleSolveOne( crowd, first + i, &longer, &byLeg, begun );
+			soleKeepAnimated( crowd, first + i, frames + i );
 			row->owed = 0.0f;
 			row->jumped = false;
 		}

@@ -155,7 +155,6 @@ void soleSetUpFrame( solePlaceWork* work )
 		soleLegWork* leg = work->legs + i;
 		*leg = ( soleLegWork ){ .rig = work->rig->legs + i, .state = work->state->legs + i, .index = i };
 		leg->out = work->out->legs + i;
-		leg->samples = work->samples[i];
 		leg->contactInput = ( soleContactInput ){ -1.0f, -1.0f };
 		if ( frame->contact != NULL && soleIsFinite( frame->contact[i].heel + frame->contact[i].toe ) )
 		{

@@ -110,7 +110,7 @@ static void soleWritePelvis( solePlaceWork* work )
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out )
 {
-	memset( work, 0, offsetof( solePlaceWork, slots ) );
+	memset( &work->rig, 0, sizeof *work - offsetof( solePlaceWork, rig ) );
 	work->rig = rig;
 	work->settings = settings;
 	work->state = state;
@@ -165,33 +165,20 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 	soleScrubOutput( rig, output );
 }
 
-void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
-    const soleFrame* frame, const soleLegHits* hits, soleOutput* output )
+void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
 {
-	SOLE_STAGES_BEGIN();
-	solePassThrough( rig, frame, 0.0f, output );
-	soleBeginFrame( work, rig, settings, state, frame, output );
-	SOLE_STAGE_END( "sense" );
-	if ( work->second > 0.0f )
-	{
-		solePassThrough( rig, frame, work->second, output );
-	}
+	soleState* state = work->state;
+	soleOutput* output = work->out;
+	solePassThrough( work->rig, work->frame, work->second, output );
 	soleRunStages( work, hits );
-	for ( int32_t i = 0; i < rig->legCount; ++i )
+	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		output->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
 	}
-	soleScrubOutput( rig, output );
+	soleScrubOutput( work->rig, output );
+	state->root_w = work->root_w;
+	state->frameCount = work->first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
 	SOLE_STAGE_END( "output" );
-}
-
-void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
-    const soleLegHits* hits, soleOutput* output )
-{
-	solePlaceWork work;
-	soleRunFrame( &work, rig, settings, state, frame, hits, output );
-	state->root_w = work.root_w;
-	state->frameCount = work.first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
 }
 
 soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount )
@@ -220,7 +207,8 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	soleOutput out;
 	soleState copy;
 	memcpy( &copy, state, soleState_GetByteCount( rig ) );
-	solePlaceWork work;
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
 	soleBeginFrame( &work, rig, soleCleanSettings( rig, settings, &scratch ), &copy, frame, &out );
 	// Probes that are not needed are handed out all the same: how many there are depends on rig and settings alone.
 	int32_t perLeg = soleProbesPerLeg( work.settings );
@@ -249,7 +237,12 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	soleSettings scratch;
 	const soleSettings* clean = soleCleanSettings( rig, settings, &scratch );
 	soleLegHits byLeg = soleSplitHits( rig, clean, hits, hitCount );
-	soleSolveFrame( rig, clean, state, frame, &byLeg, output );
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
+	SOLE_STAGES_BEGIN();
+	soleBeginFrame( &work, rig, clean, state, frame, output );
+	SOLE_STAGE_END( "sense" );
+	soleEndFrame( &work, &byLeg );
 }
 
 void soleBlendSecondPose(

@@ -182,6 +182,11 @@ typedef struct soleBounds
 /// One character during a frame.
 typedef struct solePlaceWork
 {
+	// Given by who begins the frame: room for as many as the rig has.
+	soleTransform* slots;
+	soleLegWork* legs;
+	soleGroundSample ( *samples )[SOLE_MAX_PROBES_PER_LEG];
+
 	const soleRig* rig;
 	const soleSettings* settings;
 	const soleFrame* frame;
@@ -209,12 +214,20 @@ typedef struct solePlaceWork
 	float bodyGround;      // height of the ground that the body is over
 	float bodyBefore;      // the same by what the last frame knew
 	int32_t legCount;
+} solePlaceWork;
 
-	// From here on as many as the rig has are written before they are read: a frame does not clear them all.
+/// Room for one of any rig. What is read has been written before: it is not cleared.
+typedef struct solePlaceRoom
+{
 	soleTransform slots[SOLE_MAX_SLOTS];
 	soleLegWork legs[SOLE_MAX_LEGS];
 	soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
-} solePlaceWork;
+} solePlaceRoom;
+
+static inline solePlaceWork soleWorkIn( solePlaceRoom* room )
+{
+	return ( solePlaceWork ){ .slots = room->slots, .legs = room->legs, .samples = room->samples };
+}
 
 static inline soleVec3 soleHorizontal( const solePlaceWork* work, soleVec3 v )
 {
@@ -336,17 +349,14 @@ typedef struct soleLegHits
 } soleLegHits;
 
 /// What gathering and solving have in common: everything up to where the soles are. The state is taken in, and may be
-/// changed; the output is written to by stages.
+/// changed; the output is left to soleEndFrame(). Settings in their ranges, a frame that is usable.
+/// @param work with its room
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out );
-/// A whole frame, all that its stages found left in the work. Settings in their ranges, a frame that is usable.
-void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
-    const soleFrame* frame, const soleLegHits* hits, soleOutput* output );
+/// The rest of a frame that was begun, all that its stages found left in the work.
+void soleEndFrame( solePlaceWork* work, const soleLegHits* hits );
 /// The answers to soleGatherProbes(), by leg.
 soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount );
-/// The same, and remembered.
-void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
-    const soleLegHits* hits, soleOutput* output );
 /// Nothing that is not finite leaves, whatever came in.
 void soleScrubOutput( const soleRig* rig, soleOutput* output );
 /// The output of a frame that is not usable.

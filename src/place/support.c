@@ -95,6 +95,7 @@ void soleFindSupport( solePlaceWork* work, const soleLegHits* hits )
 		{
 			continue;
 		}
+		leg->samples = work->samples[i];
 		int32_t first = hits->starts[i];
 		soleReadSamples( work, leg, hits->hits + first, hits->starts[i + 1] - first, minimumUp );
 		if ( soleIsOnItsWay( leg ) )
