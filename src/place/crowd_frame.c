@@ -64,18 +64,13 @@ static void soleBeginOne( const soleCrowd* crowd, int32_t index, const soleSetti
 /// @return how many probes were written, SOLE_NONE: there is no room for them
 static int32_t soleAskForOne( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
-	int32_t perLeg = soleProbesPerLeg( work->settings );
 	int32_t count = 0;
-	for ( int32_t i = 0; i < work->legCount * perLeg; ++i )
+	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
-		soleProbe probe;
-		if ( soleAskGround( work, work->legs + i / perLeg, i % perLeg, &probe ) )
+		count += soleAskGround( work, work->legs + i, probes + count, capacity - count );
+		if ( count > capacity )
 		{
-			if ( count >= capacity )
-			{
-				return SOLE_NONE;
-			}
-			probes[count++] = probe;
+			return SOLE_NONE;
 		}
 	}
 	return count;

@@ -213,9 +213,14 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	// Probes that are not needed are handed out all the same: how many there are depends on rig and settings alone.
 	int32_t perLeg = soleProbesPerLeg( work.settings );
 	int32_t count = soleMinI( capacity, work.legCount * perLeg );
-	for ( int32_t i = 0; i < count; ++i )
+	for ( int32_t i = 0; i * perLeg < count; ++i )
 	{
-		soleAskGround( &work, work.legs + i / perLeg, i % perLeg, probes + i );
+		soleProbe* first = probes + i * perLeg;
+		int32_t most = soleMinI( perLeg, count - i * perLeg );
+		for ( int32_t k = soleAskGround( &work, work.legs + i, first, most ); k < most; ++k )
+		{
+			first[k] = soleMakeProbe( &work, work.legs + i, k );
+		}
 	}
 	return count > 0 ? count : 0;
 }

@@ -384,8 +384,10 @@ void soleRememberBodies( solePlaceWork* work );
 void soleSense( solePlaceWork* work );
 /// When and where feet in flight will come down.
 void soleForesee( solePlaceWork* work );
-/// Probe k of a leg, below soleProbesPerLeg(). @return false: it is not asked, has no length and no place
-bool soleAskGround( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleProbe* probe );
+/// What a leg asks, as far as there is room. @return how many probes that takes, at most soleProbesPerLeg()
+int32_t soleAskGround( const solePlaceWork* work, const soleLegWork* leg, soleProbe* probes, int32_t capacity );
+/// Probe k of a leg as it is when it is not asked: of no length, at no place.
+soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg, int32_t k );
 /// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
 void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 /// Hits to the plane that carries the sole.
