@@ -80,6 +80,7 @@ static inline soleGroundSample* testAddSample( testSole* s, float ahead, float a
 
 static inline soleRest testRest( testSole* s )
 {
+	s->work.angles = soleTakeAngles( &s->settings );
 	return soleRestSole( &s->work, &s->leg, soleMakeFootprint( &s->work, s->center, s->forward, s->work.up ), false );
 }
 

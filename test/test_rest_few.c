@@ -140,6 +140,7 @@ static void aLineCountsTheMiddleOnly( void** state )
 	testStartSole( &s, false );
 	testAddLine( &s, 0.0f, 0.0f, 0.0f );
 	testAddSample( &s, 0.0f, 0.036f, 0.02f );
+	s.work.angles = soleTakeAngles( &s.settings );
 	soleRest line = soleRestSole( &s.work, &s.leg, soleMakeFootprint( &s.work, s.center, s.forward, s.work.up ), true );
 	testNearPlane( &s, &line, 0.0f, 0.0f, 0.0f );
 	soleRest r = testRest( &s );

@@ -63,6 +63,19 @@ static bool soleClampHalf( soleHalf* half, soleRange range, soleHalf animated )
 	return false;
 }
 
+/// Is a turn within the rig's own limits? Then it is within those that the animation widens.
+static bool soleIsWithin( const soleRigLeg* rig, const soleAnkleTurn* turn )
+{
+	const soleRange ranges[] = { rig->pitch, rig->roll, rig->twist };
+	const float sines[] = { turn->pitch.s, turn->roll.s, turn->twist.s };
+	bool within = true;
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		within = within && sines[i] >= ranges[i].low.s && sines[i] <= ranges[i].high.s;
+	}
+	return within;
+}
+
 static soleQuat soleShinRotation( const soleLegWork* leg )
 {
 	const soleRigLeg* rig = leg->rig;
@@ -90,8 +103,8 @@ static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg, 
 	soleHalf slope = soleMakeHalf( 1.0f, leg->toeSlope + leg->toeSunk );
 	soleQuat wanted = soleMulQuat( soleHalfRotation( side, slope ), soleMulQuat( leg->image, leg->toeRotation ) );
 	soleHalf bend = soleTwistHalf( soleTwist( soleMulQuat( wanted, soleConjugate( carried ) ), side ), side );
-	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
-	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
+	soleHalf up = work->angles.toesUp;
+	soleHalf down = work->angles.toesDown;
 	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
 	float share = leg->turnWeight * ( bend.s > 0.0f ? 1.0f : leg->state->plantWeight );
 	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
@@ -142,9 +155,13 @@ void soleLimitAnkles( solePlaceWork* work )
 			continue;
 		}
 		int32_t shinIndex = rig->def.hasVirtualAnkle ? rig->def.jointCount - 1 : rig->def.jointCount - 2;
-		soleAnkleTurn animated = soleTakeApart( rig, leg->rotations[shinIndex], leg->foot.rotation );
 		soleQuat shin = soleShinRotation( leg );
 		soleAnkleTurn turn = soleTakeApart( rig, shin, leg->footReached );
+		if ( soleIsWithin( rig, &turn ) )
+		{
+			continue;
+		}
+		soleAnkleTurn animated = soleTakeApart( rig, leg->rotations[shinIndex], leg->foot.rotation );
 		bool clamped = soleClampHalf( &turn.pitch, rig->pitch, animated.pitch );
 		clamped = soleClampHalf( &turn.roll, rig->roll, animated.roll ) || clamped;
 		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;

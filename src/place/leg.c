@@ -36,8 +36,8 @@
 /// The axis that the knee bends about now, unit, at right angles to u0.
 static soleVec3 soleFindBendAxis( soleVec3 k, soleVec3 s, float a, float b, soleVec3 u0, soleVec3 rigHinge )
 {
-	soleVec3 any = soleAnyOrthogonal( u0 );
-	soleVec3 reference = soleNormalizeOr( soleReject( rigHinge, u0 ), any );
+	soleVec3 reference = soleNormalizeOr( soleReject( rigHinge, u0 ), soleVec( 0.0f, 0.0f, 0.0f ) );
+	reference = soleDot( reference, reference ) > 0.0f ? reference : soleAnyOrthogonal( u0 );
 	soleVec3 n = soleScale( 1.0f / ( a * b ), soleCross( k, s ) );
 	float f = soleLength( n );
 	soleVec3 axis = soleDot( n, reference ) < 0.0f ? soleNeg( n ) : n;

@@ -58,6 +58,11 @@ void soleScrubOutput( const soleRig* rig, soleOutput* out )
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
 		soleLegOutput* o = out->legs + i;
+		// All from there on are floats.
+		if ( soleAreFinite( o->rotations_l, sizeof *o - offsetof( soleLegOutput, rotations_l ) ) )
+		{
+			continue;
+		}
 		for ( int32_t j = 0; j < SOLE_MAX_LEG_JOINTS; ++j )
 		{
 			soleScrubQuat( o->rotations_l + j );
@@ -217,9 +222,11 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	{
 		soleProbe* first = probes + i * perLeg;
 		int32_t most = soleMinI( perLeg, count - i * perLeg );
+		soleProbe none = soleMakeProbe( &work, work.legs + i );
 		for ( int32_t k = soleAskGround( &work, work.legs + i, first, most ); k < most; ++k )
 		{
-			first[k] = soleMakeProbe( &work, work.legs + i, k );
+			first[k] = none;
+			first[k].index = (int16_t)k;
 		}
 	}
 	return count > 0 ? count : 0;

@@ -179,6 +179,17 @@ typedef struct soleBounds
 	bool any;
 } soleBounds;
 
+/// What angles among the settings come to.
+typedef struct soleAngles
+{
+	float steepestTilt; // rise per length that a sole is tilted by at most
+	soleHalf walkable;  // of the steepest slope that can be walked on
+	soleHalf toesUp;
+	soleHalf toesDown;
+	float toesLeast, toesMost; // slopes that toes can follow
+	float lockTurn;            // tan of a quarter of the angle at which a lock is given up
+} soleAngles;
+
 /// One character during a frame.
 typedef struct solePlaceWork
 {
@@ -210,9 +221,10 @@ typedef struct solePlaceWork
 	float second;          // weight of the second pose in this frame
 	float weight;          // of the whole: the largest of the legs'
 	soleVec3 balance;      // and sideways, horizontal
-	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
-	float bodyGround;      // height of the ground that the body is over
-	float bodyBefore;      // the same by what the last frame knew
+	soleAngles angles;
+	float carriedUp;  // how far along up the bodies that legs stand on have moved since the last frame
+	float bodyGround; // height of the ground that the body is over
+	float bodyBefore; // the same by what the last frame knew
 	int32_t legCount;
 } solePlaceWork;
 
@@ -365,6 +377,7 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 /// @param scratch what is returned, where they had to be changed
 const soleSettings* soleCleanSettings( const soleRig* rig, const soleSettings* settings, soleSettings* scratch );
+soleAngles soleTakeAngles( const soleSettings* settings );
 bool soleIsFrameUsable( const soleFrame* frame );
 /// A state that is usable in this frame's world: the default one where it was not.
 void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );
@@ -386,8 +399,8 @@ void soleSense( solePlaceWork* work );
 void soleForesee( solePlaceWork* work );
 /// What a leg asks, as far as there is room. @return how many probes that takes, at most soleProbesPerLeg()
 int32_t soleAskGround( const solePlaceWork* work, const soleLegWork* leg, soleProbe* probes, int32_t capacity );
-/// Probe k of a leg as it is when it is not asked: of no length, at no place.
-soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg, int32_t k );
+/// A probe of a leg that is not asked: of no length, at no place.
+soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg );
 /// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
 void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 /// Hits to the plane that carries the sole.

@@ -307,12 +307,11 @@ static float soleFindKnownHeight( const solePlaceWork* work, const soleLegWork* 
 	return stands ? soleDot( soleSub( leg->state->planePoint_w, work->root_w ), work->up ) - work->reference : 0.0f;
 }
 
-soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg, int32_t k )
+soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg )
 {
-	return ( soleProbe ){ .direction_w = soleNeg( work->up ),
-		.mask = work->settings->probe.mask,
-		.leg = (int16_t)leg->index,
-		.index = (int16_t)k };
+	return ( soleProbe ){
+		.direction_w = soleNeg( work->up ), .mask = work->settings->probe.mask, .leg = (int16_t)leg->index
+	};
 }
 
 int32_t soleAskGround( const solePlaceWork* work, const soleLegWork* leg, soleProbe* probes, int32_t capacity )
@@ -323,17 +322,19 @@ int32_t soleAskGround( const solePlaceWork* work, const soleLegWork* leg, solePr
 	float known = soleFindKnownHeight( work, leg );
 	float upwards = soleMaxF( settings->probe.stepUp * leg->length, known + KNOWN * leg->length );
 	float downwards = soleMaxF( settings->probe.stepDown * leg->length, KNOWN * leg->length - known );
+	soleProbe asked = soleMakeProbe( work, leg );
+	asked.radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
 	for ( int32_t k = 0; k < soleMinI( count, capacity ); ++k )
 	{
 		soleProbe* probe = probes + k;
-		*probe = soleMakeProbe( work, leg, k );
+		*probe = asked;
+		probe->index = (int16_t)k;
 		float away = soleLength( soleHorizontal( work, points[k] ) );
 		float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
 		float up = upwards + further;
 		float height = work->reference + soleFindRise( work, leg, points[k] ) + up;
 		probe->start_w = soleAdd( soleAtHeight( work, points[k], height ), work->root_w );
 		probe->length = up + ( downwards + further );
-		probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
 	}
 	return count;
 }

@@ -86,7 +86,7 @@ static void soleCountUnmet( solePlaceWork* work )
 
 void soleFindSupport( solePlaceWork* work, const soleLegHits* hits )
 {
-	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
+	soleHalf limit = work->angles.walkable;
 	float minimumUp = limit.c * limit.c - limit.s * limit.s;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
