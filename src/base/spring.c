@@ -12,6 +12,9 @@
 
 #define HALF_PHASE 1.678347f // y t at which half of a resting error is left
 #define SETTLED 20.0f        // y t beyond which nothing is left
+// An offset that is smaller is over. Decaying on it would come to rest among the smallest floats, never at zero, and
+// machines take a hundred times as long for those: a character that stood still would cost more than one that walks.
+#define NOTHING 1e-30f
 
 /// What a step's length does to any spring of a half-life.
 typedef struct soleSpringStep
@@ -66,7 +69,7 @@ soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, 
 
 static bool soleIsGone( soleOffset1 offset )
 {
-	return offset.value == 0.0f && offset.velocity == 0.0f;
+	return soleMaxF( offset.value, -offset.value ) < NOTHING && soleMaxF( offset.velocity, -offset.velocity ) < NOTHING;
 }
 
 soleOffset1 soleDecayOffset1( soleOffset1 offset, float halfLife, float timeStep )
