@@ -13,8 +13,9 @@
 #define HALF_PHASE 1.678347f // y t at which half of a resting error is left
 #define SETTLED 20.0f        // y t beyond which nothing is left
 // An offset that is smaller is over. Decaying on it would come to rest among the smallest floats, never at zero, and
-// machines take a hundred times as long for those: a character that stood still would cost more than one that walks.
-#define NOTHING 1e-30f
+// machines take a hundred times as long for those, and for what they make of squares below them: a character that
+// stood still would cost more than one that walks.
+#define NOTHING 1e-18f
 
 /// What a step's length does to any spring of a half-life.
 typedef struct soleSpringStep
