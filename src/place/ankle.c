@@ -144,39 +144,35 @@ static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat 
 	leg->footTarget = turned;
 }
 
-void soleLimitAnkles( solePlaceWork* work )
+void soleLimitAnkle( const solePlaceWork* work, soleLegWork* leg )
 {
-	for ( int32_t i = 0; i < work->legCount; ++i )
+	const soleRigLeg* rig = leg->rig;
+	if ( !( leg->weight > 0.0f ) || !soleHasAnkle( rig ) )
 	{
-		soleLegWork* leg = work->legs + i;
-		const soleRigLeg* rig = leg->rig;
-		if ( leg->usable == false || !( leg->weight > 0.0f ) || !soleHasAnkle( rig ) )
-		{
-			continue;
-		}
-		int32_t shinIndex = rig->def.hasVirtualAnkle ? rig->def.jointCount - 1 : rig->def.jointCount - 2;
-		soleQuat shin = soleShinRotation( leg );
-		soleAnkleTurn turn = soleTakeApart( rig, shin, leg->footReached );
-		if ( soleIsWithin( rig, &turn ) )
-		{
-			continue;
-		}
-		soleAnkleTurn animated = soleTakeApart( rig, leg->rotations[shinIndex], leg->foot.rotation );
-		bool clamped = soleClampHalf( &turn.pitch, rig->pitch, animated.pitch );
-		clamped = soleClampHalf( &turn.roll, rig->roll, animated.roll ) || clamped;
-		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
-		leg->limited = clamped;
-		if ( clamped )
-		{
-			soleRetarget( work, leg, leg->footReached, solePutTogether( rig, shin, turn ) );
-			leg->out->flags |= (uint32_t)sole_legAnkleClamped;
-		}
+		return;
+	}
+	soleQuat shin = soleShinRotation( leg );
+	soleAnkleTurn turn = soleTakeApart( rig, shin, leg->footReached );
+	if ( soleIsWithin( rig, &turn ) )
+	{
+		return;
+	}
+	int32_t shinIndex = rig->def.hasVirtualAnkle ? rig->def.jointCount - 1 : rig->def.jointCount - 2;
+	soleAnkleTurn animated = soleTakeApart( rig, leg->rotations[shinIndex], leg->foot.rotation );
+	bool clamped = soleClampHalf( &turn.pitch, rig->pitch, animated.pitch );
+	clamped = soleClampHalf( &turn.roll, rig->roll, animated.roll ) || clamped;
+	clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
+	leg->limited = clamped;
+	if ( clamped )
+	{
+		soleRetarget( work, leg, leg->footReached, solePutTogether( rig, shin, turn ) );
+		leg->out->flags |= (uint32_t)sole_legAnkleClamped;
 	}
 }
 
 // ----------------------------------------------------------------------------------------------------------- output
 
-static soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot )
+soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot )
 {
 	int32_t parent = work->rig->slotParents[slot];
 	return parent == SOLE_NONE ? soleNormalizeQuat( work->frame->root.rotation ) : work->slots[parent].rotation;
@@ -200,52 +196,42 @@ static void soleWriteDetachedFoot( const solePlaceWork* work, soleLegWork* leg )
 	leg->out->footRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( space.rotation ), leg->footReached ) );
 }
 
-void soleAlignAnkles( solePlaceWork* work )
+void soleAlignAnkle( const solePlaceWork* work, soleLegWork* leg )
 {
-	for ( int32_t i = 0; i < work->legCount; ++i )
+	const soleRigLeg* rig = leg->rig;
+	int32_t last = rig->def.jointCount - 1;
+	soleLegOutput* out = leg->out;
+	// Joints between hip and knee, and knee and ankle, are carried as they are: their local rotations stay. A turn
+	// q before a world rotation Q is conj( parent ) q Q in the parent's space; at the knee the hip's turn is in the
+	// parent already.
+	out->rotations_l[0] = soleNormalizeQuat( soleMulQuat(
+	    soleConjugate( soleParentRotation( work, rig->slots[0] ) ), soleMulQuat( leg->hipTurn, leg->rotations[0] ) ) );
+	int32_t knee = rig->kneeIndex;
+	if ( knee > 0 )
 	{
-		soleLegWork* leg = work->legs + i;
-		if ( leg->usable == false )
-		{
-			continue;
-		}
-		const soleRigLeg* rig = leg->rig;
-		int32_t last = rig->def.jointCount - 1;
-		soleLegOutput* out = leg->out;
-		// Joints between hip and knee, and knee and ankle, are carried as they are: their local rotations stay. A turn
-		// q before a world rotation Q is conj( parent ) q Q in the parent's space; at the knee the hip's turn is in the
-		// parent already.
-		out->rotations_l[0] =
-		    soleNormalizeQuat( soleMulQuat( soleConjugate( soleParentRotation( work, rig->slots[0] ) ),
-		        soleMulQuat( leg->hipTurn, leg->rotations[0] ) ) );
-		int32_t knee = rig->kneeIndex;
-		if ( knee > 0 )
-		{
-			soleQuat parent = soleParentRotation( work, rig->slots[knee] );
-			out->rotations_l[knee] = soleNormalizeQuat(
-			    soleMulQuat( soleConjugate( parent ), soleMulQuat( leg->kneeTurn, leg->rotations[knee] ) ) );
-		}
-		if ( rig->def.hasVirtualAnkle == false )
-		{
-			soleQuat turn = last > knee && knee > 0 ? soleMulQuat( leg->hipTurn, leg->kneeTurn ) : leg->hipTurn;
-			soleQuat parent = soleMulQuat( turn, soleParentRotation( work, rig->slots[last] ) );
-			// A detached foot is turned itself; the ankle's joint then keeps its animated turn.
-			out->rotations_l[last] = rig->def.detachedFoot != SOLE_NONE
-			    ? out->rotations_l[last]
-			    : soleNormalizeQuat( soleMulQuat( soleConjugate( parent ), leg->footReached ) );
-		}
-		if ( rig->def.detachedFoot != SOLE_NONE )
-		{
-			soleWriteDetachedFoot( work, leg );
-		}
-		if ( rig->toeSlot != SOLE_NONE && soleHasAnkle( rig ) )
-		{
-			// Joints between foot and toe keep their turns: the new toe is expressed in its own parent.
-			soleQuat foot =
-			    soleMulQuat( soleConjugate( leg->foot.rotation ), soleParentRotation( work, rig->toeSlot ) );
-			soleQuat toe = soleBendToe( work, leg, leg->footReached );
-			toe = soleMulQuat( soleConjugate( leg->footReached ), toe );
-			out->toeRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( foot ), toe ) );
-		}
+		soleQuat parent = soleParentRotation( work, rig->slots[knee] );
+		out->rotations_l[knee] = soleNormalizeQuat(
+		    soleMulQuat( soleConjugate( parent ), soleMulQuat( leg->kneeTurn, leg->rotations[knee] ) ) );
+	}
+	if ( rig->def.hasVirtualAnkle == false )
+	{
+		soleQuat turn = last > knee && knee > 0 ? soleMulQuat( leg->hipTurn, leg->kneeTurn ) : leg->hipTurn;
+		soleQuat parent = soleMulQuat( turn, soleParentRotation( work, rig->slots[last] ) );
+		// A detached foot is turned itself; the ankle's joint then keeps its animated turn.
+		out->rotations_l[last] = rig->def.detachedFoot != SOLE_NONE
+		    ? out->rotations_l[last]
+		    : soleNormalizeQuat( soleMulQuat( soleConjugate( parent ), leg->footReached ) );
+	}
+	if ( rig->def.detachedFoot != SOLE_NONE )
+	{
+		soleWriteDetachedFoot( work, leg );
+	}
+	if ( rig->toeSlot != SOLE_NONE && soleHasAnkle( rig ) )
+	{
+		// Joints between foot and toe keep their turns: the new toe is expressed in its own parent.
+		soleQuat foot = soleMulQuat( soleConjugate( leg->foot.rotation ), soleParentRotation( work, rig->toeSlot ) );
+		soleQuat toe = soleBendToe( work, leg, leg->footReached );
+		toe = soleMulQuat( soleConjugate( leg->footReached ), toe );
+		out->toeRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( foot ), toe ) );
 	}
 }

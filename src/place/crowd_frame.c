@@ -7,10 +7,12 @@
 // When it is solved again its frame is as long as it has waited.
 #include "base/core.h"
 #include "place/crowd_internal.h"
+#include "sole/batch.h"
 
 #include <string.h>
 
 #define MOST_INTERVAL 16
+#define BLOCK 16           // characters: the legs of as many bipeds go through a kernel at once
 #define GOLDEN 2654435769u // 2^32 times the golden ratio's fraction: its multiples are spread evenly at any time
 
 /// A character's settings of this frame.
@@ -95,13 +97,15 @@ static int32_t soleGatherOne( const soleCrowd* crowd, int32_t index, const soleF
 	{
 		return 0;
 	}
-	soleSettings scratch;
-	const soleSettings* settings = soleSettingsOf( crowd, row, &scratch );
 	if ( begun != NULL )
 	{
-		soleBeginOne( crowd, index, settings, &longer, &begun->work, &begun->state );
+		begun->frame = longer;
+		const soleSettings* settings = soleSettingsOf( crowd, row, &begun->settings );
+		soleBeginOne( crowd, index, settings, &begun->frame, &begun->work, &begun->state );
 		return soleAskForOne( &begun->work, probes, capacity );
 	}
+	soleSettings scratch;
+	const soleSettings* settings = soleSettingsOf( crowd, row, &scratch );
 	soleState copy;
 	solePlaceRoom room;
 	solePlaceWork work = soleWorkIn( &room );
@@ -257,29 +261,80 @@ static soleLegHits soleSortHits( const soleRig* rig, const soleProbe* probes, co
 	return byLeg;
 }
 
-/// @param begun its part of a work area, or NULL
-static void soleSolveOne(
-    soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleLegHits* hits, soleCrowdBegun* begun )
+/// Characters whose legs go side by side.
+typedef struct soleCrowdBlock
+{
+	int32_t count;
+	int32_t indices[BLOCK];
+	solePlaceWork* works[BLOCK];
+	soleLegHits hits[BLOCK];
+} soleCrowdBlock;
+
+/// Ends the frames of a block, which is empty then.
+static void soleSolveBlock( const soleCrowd* crowd, soleCrowdBlock* block )
+{
+	// Of one after the other: what the ground was like at each place is not asked for when the legs are solved.
+	soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
+	for ( int32_t i = 0; i < block->count; ++i )
+	{
+		block->works[i]->samples = samples;
+	}
+	soleEndFrames( block->works, block->hits, block->count, soleGetBatchWidth() );
+	for ( int32_t i = 0; i < block->count; ++i )
+	{
+		int32_t index = block->indices[i];
+		memcpy( soleStateOf( crowd, index ), block->works[i]->state, soleState_GetByteCount( crowd->rig ) );
+		soleKeepAnimated( crowd, index, block->works[i]->frame );
+	}
+	block->count = 0;
+}
+
+/// Begins anew, and ends, the frame of one.
+static void soleSolveAnew( const soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleLegHits* hits )
 {
 	soleSettings scratch;
 	const soleSettings* settings = soleSettingsOf( crowd, soleRowOf( crowd, index ), &scratch );
-	soleState* state = soleStateOf( crowd, index );
-	soleOutput* output = soleOutputOf( crowd, index );
-	SOLE_ASSERT( begun == NULL || begun->work.out == output );
-	if ( begun != NULL && begun->work.out == output )
-	{
-		soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
-		begun->work.samples = samples;
-		begun->work.settings = settings;
-		begun->work.frame = frame;
-		soleEndFrame( &begun->work, hits );
-		memcpy( state, &begun->state, soleState_GetByteCount( crowd->rig ) );
-		return;
-	}
 	solePlaceRoom room;
 	solePlaceWork work = soleWorkIn( &room );
-	soleBeginFrame( &work, crowd->rig, settings, state, frame, output );
+	soleBeginFrame( &work, crowd->rig, settings, soleStateOf( crowd, index ), frame, soleOutputOf( crowd, index ) );
 	soleEndFrame( &work, hits );
+	soleKeepAnimated( crowd, index, frame );
+}
+
+/// @param begun its part of a work area, or NULL
+static void soleSolveOne( const soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleLegHits* hits,
+    soleCrowdBegun* begun, soleCrowdBlock* block )
+{
+	bool shared = begun != NULL && begun->work.out == soleOutputOf( crowd, index );
+	SOLE_ASSERT( begun == NULL || shared );
+	if ( shared == false )
+	{
+		soleSolveAnew( crowd, index, frame, hits );
+		return;
+	}
+	block->indices[block->count] = index;
+	block->works[block->count] = &begun->work;
+	block->hits[block->count] = *hits;
+	block->count += 1;
+	if ( block->count == BLOCK )
+	{
+		soleSolveBlock( crowd, block );
+	}
+}
+
+/// A character that is not solved in this frame, because it cannot be or has to wait.
+static void soleLeaveOut( soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleFrame* longer )
+{
+	soleCrowdRow* row = soleRowOf( crowd, index );
+	if ( !soleIsFrameUsable( longer ) )
+	{
+		soleFindTurns( crowd, index );
+		soleRefuseFrame( crowd->rig, frame, soleOutputOf( crowd, index ) );
+		return;
+	}
+	soleWait( crowd, index, frame );
+	row->owed = soleMaxF( soleFiniteOr( longer->timeStep, 0.0f ), 0.0f );
+	row->jumped = longer->teleport;
 }
 
 void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames, const soleProbe* probes,
@@ -288,31 +343,24 @@ void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleF
 	bool given = count <= 0 ||
 	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL );
 	SOLE_ASSERT( given );
-	for ( int32_t i = 0; given && i < count; ++i )
+	count = given ? count : 0;
+	soleCrowdBlock block = { .count = 0 };
+	for ( int32_t i = 0; i < count; ++i )
 	{
 		soleCrowdRow* row = soleRowOf( crowd, first + i );
 		soleFrame longer = soleFrameOf( row, frames + i );
 		const soleCrowdAsk* ask = asks + i;
 		row->frames += 1;
-		if ( !soleIsFrameUsable( &longer ) )
+		if ( ask->waits || !soleIsFrameUsable( &longer ) )
 		{
-			soleFindTurns( crowd, first + i );
-			soleRefuseFrame( crowd->rig, frames + i, soleOutputOf( crowd, first + i ) );
+			soleLeaveOut( crowd, first + i, frames + i, &longer );
+			continue;
 		}
-		else if ( ask->waits )
-		{
-			soleWait( crowd, first + i, frames + i );
-			row->owed = soleMaxF( soleFiniteOr( longer.timeStep, 0.0f ), 0.0f );
-			row->jumped = longer.teleport;
-		}
-		else
-		{
-			soleCrowdBegun* begun = work != NULL ? soleBegunOf( crowd, work, i ) : NULL;
-			soleLegHits byLeg = soleSortHits( crowd->rig, probes + ask->first, hits + ask->first, ask->count );
-			soleSolveOne( crowd, first + i, &longer, &byLeg, begun );
-			soleKeepAnimated( crowd, first + i, frames + i );
-			row->owed = 0.0f;
-			row->jumped = false;
-		}
+		soleCrowdBegun* begun = work != NULL ? soleBegunOf( crowd, work, i ) : NULL;
+		soleLegHits byLeg = soleSortHits( crowd->rig, probes + ask->first, hits + ask->first, ask->count );
+		soleSolveOne( crowd, first + i, &longer, &byLeg, begun, &block );
+		row->owed = 0.0f;
+		row->jumped = false;
 	}
+	soleSolveBlock( crowd, &block );
 }

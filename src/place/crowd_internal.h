@@ -46,7 +46,9 @@ typedef struct soleCrowdTurns
 typedef struct soleCrowdBegun
 {
 	solePlaceWork work;
-	soleState state; // as much of it as is in use
+	soleFrame frame;       // as long as it has waited
+	soleSettings settings; // where it has its own
+	soleState state;       // as much of it as is in use
 } soleCrowdBegun;
 
 struct soleCrowd

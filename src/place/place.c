@@ -4,6 +4,7 @@
 #include "place/place.h"
 
 #include "base/core.h"
+#include "place/foot_wide.h"
 
 #include <string.h>
 
@@ -131,8 +132,10 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	}
 }
 
-static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
+/// From the answers of the ground to where the pelvis goes.
+static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
 {
+	solePassThrough( work->rig, work->frame, work->second, work->out );
 	soleFindSupport( work, hits );
 	SOLE_STAGE_END( "support" );
 	soleUpdateContact( work );
@@ -150,14 +153,65 @@ static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
 	soleFindBodyGround( work );
 	soleMovePelvis( work );
 	SOLE_STAGE_END( "pelvis" );
-	soleSolveLegs( work );
-	SOLE_STAGE_END( "leg" );
-	soleLimitAnkles( work );
-	soleSolveLimitedLegs( work );
-	soleAlignAnkles( work );
-	SOLE_STAGE_END( "ankle" );
+}
+
+void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg )
+{
+	soleLimitAnkle( work, leg );
+	if ( leg->limited )
+	{
+		soleSolveLeg( work, leg );
+	}
+	soleAlignAnkle( work, leg );
+}
+
+void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg )
+{
+	if ( leg->usable )
+	{
+		soleSolveLeg( work, leg );
+		soleFinishAnkle( work, leg );
+	}
+}
+
+/// What is handed out and remembered of the whole.
+static void soleCloseFrame( solePlaceWork* work )
+{
+	soleState* state = work->state;
 	soleRememberBodies( work );
 	soleWritePelvis( work );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		work->out->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
+	}
+	soleScrubOutput( work->rig, work->out );
+	state->root_w = work->root_w;
+	state->frameCount = work->first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
+	SOLE_STAGE_END( "output" );
+}
+
+void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
+{
+	soleReachFrame( work, hits );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleFinishLeg( work, work->legs + i );
+	}
+	SOLE_STAGE_END( "leg" );
+	soleCloseFrame( work );
+}
+
+void soleEndFrames( solePlaceWork* const* works, const soleLegHits* hits, int32_t count, int32_t width )
+{
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleReachFrame( works[i], hits + i );
+	}
+	soleFinishLegs( works, count, width );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleCloseFrame( works[i] );
+	}
 }
 
 void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* output )
@@ -168,22 +222,6 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 		output->legs[i].flags = (uint32_t)sole_legBadInput;
 	}
 	soleScrubOutput( rig, output );
-}
-
-void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
-{
-	soleState* state = work->state;
-	soleOutput* output = work->out;
-	solePassThrough( work->rig, work->frame, work->second, output );
-	soleRunStages( work, hits );
-	for ( int32_t i = 0; i < work->legCount; ++i )
-	{
-		output->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
-	}
-	soleScrubOutput( work->rig, output );
-	state->root_w = work->root_w;
-	state->frameCount = work->first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
-	SOLE_STAGE_END( "output" );
 }
 
 soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount )

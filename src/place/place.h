@@ -367,6 +367,9 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
     const soleFrame* frame, soleOutput* out );
 /// The rest of a frame that was begun, all that its stages found left in the work.
 void soleEndFrame( solePlaceWork* work, const soleLegHits* hits );
+/// The same of several, to the bit.
+/// @param width of the kernel that their legs go through
+void soleEndFrames( solePlaceWork* const* works, const soleLegHits* hits, int32_t count, int32_t width );
 /// The answers to soleGatherProbes(), by leg.
 soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount );
 /// Nothing that is not finite leaves, whatever came in.
@@ -425,13 +428,22 @@ void soleDemandSecondPose( solePlaceWork* work );
 void soleFindBodyGround( solePlaceWork* work );
 /// One height that all legs can live with.
 void soleMovePelvis( solePlaceWork* work );
+/// The last stages go leg by leg.
+
 /// Heel lift, reach, two-bone.
-void soleSolveLegs( solePlaceWork* work );
+void soleSolveLeg( const solePlaceWork* work, soleLegWork* leg );
 /// Range of motion: turns what the solved leg's ankle cannot do into new targets for a second solve.
-void soleLimitAnkles( solePlaceWork* work );
-/// The same again, for those.
-void soleSolveLimitedLegs( solePlaceWork* work );
+void soleLimitAnkle( const solePlaceWork* work, soleLegWork* leg );
 /// Alignment and toes; writes the output.
-void soleAlignAnkles( solePlaceWork* work );
+void soleAlignAnkle( const solePlaceWork* work, soleLegWork* leg );
+/// All of them, and those after the first.
+void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg );
+void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg );
+
+/// What soleSolveLeg() does before the two bones are solved, and after.
+void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def );
+void soleTakeLeg( const solePlaceWork* work, soleLegWork* leg, soleVec3 reached, uint32_t flags );
+/// As animated, world.
+soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot );
 
 #endif
