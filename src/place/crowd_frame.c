@@ -55,14 +55,6 @@ static soleFrame soleFrameOf( const soleCrowdRow* row, const soleFrame* frame )
 	return longer;
 }
 
-/// Begins the frame of a character on a copy of its memory.
-static void soleBeginOne( const soleCrowd* crowd, int32_t index, const soleSettings* settings, const soleFrame* frame,
-    solePlaceWork* work, soleState* copy )
-{
-	memcpy( copy, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
-	soleBeginFrame( work, crowd->rig, settings, copy, frame, soleOutputOf( crowd, index ) );
-}
-
 /// @return how many probes were written, SOLE_NONE: there is no room for them
 static int32_t soleAskForOne( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
@@ -78,18 +70,55 @@ static int32_t soleAskForOne( const solePlaceWork* work, soleProbe* probes, int3
 	return count;
 }
 
-/// A character's part of a work area, made ready for beginning its frame there.
-static soleCrowdBegun* soleOpenBegun( const soleCrowd* crowd, void* work, int32_t k )
+/// The same where the frame was begun, if it could be.
+static int32_t soleAskBegun( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
 {
-	soleCrowdBegun* begun = soleBegunOf( crowd, work, k );
-	begun->work.slots = (soleTransform*)( (unsigned char*)begun + soleBegunSlotsAt( crowd ) );
-	begun->work.legs = (soleLegWork*)( (unsigned char*)begun + soleBegunLegsAt( crowd ) );
-	return begun;
+	return work->out != NULL ? soleAskForOne( work, probes, capacity ) : 0;
 }
 
-/// @param begun its part of a work area, or NULL
-static int32_t soleGatherOne( const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleProbe* probes,
-    int32_t capacity, soleCrowdBegun* begun )
+/// Sets up the frame of a character in its part of a work area. @return NULL: its frame cannot be used
+static solePlaceWork* soleOpenOne(
+    const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleCrowdBegun* begun )
+{
+	const soleCrowdRow* row = soleRowOf( crowd, index );
+	solePlaceWork* work = &begun->work;
+	work->out = NULL;
+	begun->frame = soleFrameOf( row, frame );
+	if ( !soleIsFrameUsable( &begun->frame ) )
+	{
+		return NULL;
+	}
+	work->slots = (soleTransform*)( (unsigned char*)begun + soleBegunSlotsAt( crowd ) );
+	work->legs = (soleLegWork*)( (unsigned char*)begun + soleBegunLegsAt( crowd ) );
+	memcpy( &begun->state, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
+	const soleSettings* settings = soleSettingsOf( crowd, row, &begun->settings );
+	soleOpenFrame( work, crowd->rig, settings, &begun->state, &begun->frame, soleOutputOf( crowd, index ) );
+	return work;
+}
+
+/// Begins the frames of those of a range whose turn it is, a block of them at once.
+static void soleBeginRange( const soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames, void* work )
+{
+	solePlaceWork* block[BLOCK];
+	int32_t filled = 0;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		if ( soleIsItsTurn( soleRowOf( crowd, first + i ), frames + i ) )
+		{
+			block[filled] = soleOpenOne( crowd, first + i, frames + i, soleBegunOf( crowd, work, i ) );
+			filled += block[filled] != NULL ? 1 : 0;
+		}
+		if ( filled == BLOCK || ( filled > 0 && i == count - 1 ) )
+		{
+			soleBeginFrames( block, filled, soleGetBatchWidth() );
+			filled = 0;
+		}
+	}
+}
+
+/// Asks for a character whose frame is begun for that alone.
+static int32_t soleAskAnew(
+    const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleProbe* probes, int32_t capacity )
 {
 	const soleCrowdRow* row = soleRowOf( crowd, index );
 	soleFrame longer = soleFrameOf( row, frame );
@@ -97,19 +126,13 @@ static int32_t soleGatherOne( const soleCrowd* crowd, int32_t index, const soleF
 	{
 		return 0;
 	}
-	if ( begun != NULL )
-	{
-		begun->frame = longer;
-		const soleSettings* settings = soleSettingsOf( crowd, row, &begun->settings );
-		soleBeginOne( crowd, index, settings, &begun->frame, &begun->work, &begun->state );
-		return soleAskForOne( &begun->work, probes, capacity );
-	}
 	soleSettings scratch;
 	const soleSettings* settings = soleSettingsOf( crowd, row, &scratch );
 	soleState copy;
+	memcpy( &copy, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
 	solePlaceRoom room;
 	solePlaceWork work = soleWorkIn( &room );
-	soleBeginOne( crowd, index, settings, &longer, &work, &copy );
+	soleBeginFrame( &work, crowd->rig, settings, &copy, &longer, soleOutputOf( crowd, index ) );
 	return soleAskForOne( &work, probes, capacity );
 }
 
@@ -126,6 +149,10 @@ int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, c
 	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL &&
 	        ( probes != NULL || capacity <= 0 ) );
 	SOLE_ASSERT( given );
+	if ( given && work != NULL )
+	{
+		soleBeginRange( crowd, first, count, frames, work );
+	}
 	int32_t written = 0;
 	int32_t turn = given && count > 0 ? soleFindTurn( soleRowOf( crowd, first )->frames, count ) : 0;
 	for ( int32_t i = 0; given && i < count; ++i )
@@ -134,8 +161,9 @@ int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, c
 		asks[k] = ( soleCrowdAsk ){ .first = written, .waits = true };
 		if ( soleIsItsTurn( soleRowOf( crowd, first + k ), frames + k ) )
 		{
-			soleCrowdBegun* begun = work != NULL ? soleOpenBegun( crowd, work, k ) : NULL;
-			int32_t asked = soleGatherOne( crowd, first + k, frames + k, probes + written, capacity - written, begun );
+			int32_t asked = work != NULL
+			    ? soleAskBegun( &soleBegunOf( crowd, work, k )->work, probes + written, capacity - written )
+			    : soleAskAnew( crowd, first + k, frames + k, probes + written, capacity - written );
 			asks[k].waits = asked == SOLE_NONE;
 			asks[k].count = asked == SOLE_NONE ? 0 : asked;
 			written += asks[k].count;

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Many legs at once: the kernels of leg_kernel.h and foot_kernel.h in each width, the choice between them, and one by
 // one what is left over at the end of a range. That last way says what all of them give.
-//
-// Least and most numbers in math.h are met with "at least", lanes only know "less": they get the floats next to those.
 #include "place/leg_wide.h"
 
 #include "base/core.h"
+#include "base/wide_limits.h"
 #include "place/foot_wide.h"
-
-#define SOLE_BELOW_LEAST 0x1.197996p-40f  // the largest float below 1e-12
-#define SOLE_ABOVE_MOST 0x1.c363cep+127f  // the smallest above 3e38
-#define SOLE_BELOW_LENGTH 0x1.79ca0ep-67f // the largest below 1e-20
 
 #define SOLE_WIDTH 4
 #include "base/simd.h"

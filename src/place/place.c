@@ -5,6 +5,7 @@
 
 #include "base/core.h"
 #include "place/foot_wide.h"
+#include "place/sense_wide.h"
 
 #include <string.h>
 
@@ -103,9 +104,7 @@ static void soleWritePelvis( solePlaceWork* work )
 		return;
 	}
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
-	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
-		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }
-	                                          : work->slots[parent];
+	soleTransform space = parent == SOLE_NONE ? soleRootSpace( work ) : work->slots[parent];
 	// Added to what the animation has, so that no shift leaves it as it is, to the bit.
 	space.translation = soleVec( 0.0f, 0.0f, 0.0f );
 	out->pelvisTranslation_l = soleAdd( out->pelvisTranslation_l, soleInvTransformPoint( space, out->pelvisOffset_w ) );
@@ -113,7 +112,7 @@ static void soleWritePelvis( solePlaceWork* work )
 
 // ------------------------------------------------------------------------------------------------------- the frame
 
-void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+void soleOpenFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out )
 {
 	memset( &work->rig, 0, sizeof *work - offsetof( solePlaceWork, rig ) );
@@ -124,11 +123,31 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	work->out = out;
 	soleTakeState( rig, frame, state );
 	soleSetUpFrame( work );
-	soleSense( work );
+}
+
+static void soleAimFrame( solePlaceWork* work )
+{
 	soleForesee( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleAimSole( work, work->legs + i );
+	}
+}
+
+void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+    const soleFrame* frame, soleOutput* out )
+{
+	soleOpenFrame( work, rig, settings, state, frame, out );
+	soleSense( work );
+	soleAimFrame( work );
+}
+
+void soleBeginFrames( solePlaceWork* const* works, int32_t count, int32_t width )
+{
+	soleSenseAll( works, count, width );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleAimFrame( works[i] );
 	}
 }
 

@@ -353,6 +353,20 @@ static inline soleTransform soleReadPose( const soleFrame* frame, float second, 
 		soleLerp( a.scale, b.scale, second ) };
 }
 
+/// Character space to near space.
+static inline soleTransform soleRootSpace( const solePlaceWork* work )
+{
+	const soleTransform* root = &work->frame->root;
+	return ( soleTransform ){ { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( root->rotation ), root->scale };
+}
+
+/// What a leg's heel is raised about.
+static inline soleVec3 soleGetPivot( const solePlaceWork* work, const soleLegWork* leg )
+{
+	int32_t toe = leg->rig->toeSlot;
+	return toe == SOLE_NONE ? leg->ball : work->slots[toe].translation;
+}
+
 /// The answers of a frame, leg by leg: those of leg i begin at starts[i] and end at starts[i + 1].
 typedef struct soleLegHits
 {
@@ -365,6 +379,10 @@ typedef struct soleLegHits
 /// @param work with its room
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out );
+/// The same of several of one rig, to the bit: each opened before, then all of them sensed.
+void soleOpenFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
+    const soleFrame* frame, soleOutput* out );
+void soleBeginFrames( solePlaceWork* const* works, int32_t count, int32_t width );
 /// The rest of a frame that was begun, all that its stages found left in the work.
 void soleEndFrame( solePlaceWork* work, const soleLegHits* hits );
 /// The same of several, to the bit.
@@ -398,6 +416,9 @@ void soleRememberBodies( solePlaceWork* work );
 
 /// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.
 void soleSense( solePlaceWork* work );
+/// Parts of it: what a leg has of the slots, and how fast its sole is.
+void soleTakeSlots( const solePlaceWork* work, soleLegWork* leg );
+void soleSenseSpeed( const solePlaceWork* work, soleLegWork* leg );
 /// When and where feet in flight will come down.
 void soleForesee( solePlaceWork* work );
 /// What a leg asks, as far as there is room. @return how many probes that takes, at most soleProbesPerLeg()

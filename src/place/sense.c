@@ -15,8 +15,7 @@ static bool soleTransform_IsFinite( soleTransform t )
 static void soleEvaluateSlots( solePlaceWork* work )
 {
 	const soleRig* rig = work->rig;
-	soleTransform root = { { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( work->frame->root.rotation ),
-		work->frame->root.scale };
+	soleTransform root = soleRootSpace( work );
 	for ( int32_t i = 0; i < rig->slotCount; ++i )
 	{
 		soleTransform local = soleReadPose( work->frame, work->second, rig->slotJoints[i] );
@@ -26,6 +25,21 @@ static void soleEvaluateSlots( solePlaceWork* work )
 	}
 }
 
+void soleTakeSlots( const solePlaceWork* work, soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	int32_t count = rig->def.jointCount;
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		const soleTransform* t = work->slots + rig->slots[i];
+		leg->joints[i] = t->translation;
+		leg->rotations[i] = t->rotation;
+	}
+	leg->ankleIndex = rig->def.hasVirtualAnkle ? count : count - 1;
+	leg->foot = work->slots[rig->footSlot];
+	leg->toeRotation = rig->toeSlot == SOLE_NONE ? soleQuat_Identity() : work->slots[rig->toeSlot].rotation;
+}
+
 static void soleSenseChain( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleRigLeg* rig = leg->rig;
@@ -33,16 +47,11 @@ static void soleSenseChain( solePlaceWork* work, soleLegWork* leg )
 	leg->usable = true;
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		soleTransform t = work->slots[rig->slots[i]];
-		leg->usable = leg->usable && soleTransform_IsFinite( t );
-		leg->joints[i] = t.translation;
-		leg->rotations[i] = t.rotation;
+		leg->usable = leg->usable && soleTransform_IsFinite( work->slots[rig->slots[i]] );
 	}
-	leg->ankleIndex = count - 1;
 	if ( rig->def.hasVirtualAnkle )
 	{
 		leg->joints[count] = soleTransformPoint( work->slots[rig->slots[count - 1]], rig->virtualAnkle );
-		leg->ankleIndex = count;
 	}
 	leg->ankle = leg->joints[leg->ankleIndex];
 	leg->length = 0.0f;
@@ -56,15 +65,13 @@ static void soleSenseChain( solePlaceWork* work, soleLegWork* leg )
 static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleRigLeg* rig = leg->rig;
-	leg->foot = work->slots[rig->footSlot];
 	leg->usable = leg->usable && soleTransform_IsFinite( leg->foot );
-	leg->toeRotation = rig->toeSlot == SOLE_NONE ? soleQuat_Identity() : work->slots[rig->toeSlot].rotation;
 	leg->heel = soleTransformPoint( leg->foot, rig->heel );
 	// The ball stands still with the toes while the heel rises: where the foot has toes, they carry it.
 	soleTransform fore = rig->toeSlot == SOLE_NONE ? leg->foot : work->slots[rig->toeSlot];
 	leg->usable = leg->usable && soleTransform_IsFinite( fore );
 	leg->ball = soleTransformPoint( fore, rig->foreBall );
-	leg->pivot = rig->toeSlot == SOLE_NONE ? leg->ball : fore.translation;
+	leg->pivot = soleGetPivot( work, leg );
 	soleVec3 ahead = soleRotate( leg->foot.rotation, rig->footForward );
 	soleVec3 level = soleHorizontal( work, ahead );
 	if ( soleDot( level, level ) < 1e-4f )
@@ -108,22 +115,27 @@ static soleVec3 soleSoleVelocity(
 	return step;
 }
 
+void soleSenseSpeed( const solePlaceWork* work, soleLegWork* leg )
+{
+	if ( leg->usable )
+	{
+		const soleLegState* state = leg->state;
+		leg->heelVelocity =
+		    soleSoleVelocity( work, leg->heel, state->animHeel_w, leg->heelRise - state->heelRise, &leg->heelSpeed );
+		leg->ballVelocity =
+		    soleSoleVelocity( work, leg->ball, state->animBall_w, leg->ballRise - state->ballRise, &leg->ballSpeed );
+	}
+}
+
 void soleSense( solePlaceWork* work )
 {
 	soleEvaluateSlots( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleLegWork* leg = work->legs + i;
+		soleTakeSlots( work, leg );
 		soleSenseChain( work, leg );
 		soleSenseFoot( work, leg );
-		if ( leg->usable == false )
-		{
-			continue;
-		}
-		soleLegState* state = leg->state;
-		leg->heelVelocity =
-		    soleSoleVelocity( work, leg->heel, state->animHeel_w, leg->heelRise - state->heelRise, &leg->heelSpeed );
-		leg->ballVelocity =
-		    soleSoleVelocity( work, leg->ball, state->animBall_w, leg->ballRise - state->ballRise, &leg->ballSpeed );
+		soleSenseSpeed( work, leg );
 	}
 }
