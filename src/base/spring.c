@@ -21,7 +21,7 @@
 typedef struct soleSpringStep
 {
 	float time;
-	bool rests; // nothing is left
+	bool arrives; // nothing is left after it
 	float y;
 	float decay;
 } soleSpringStep;
@@ -29,8 +29,8 @@ typedef struct soleSpringStep
 static soleSpringStep soleMakeSpringStep( float halfLife, float timeStep )
 {
 	float t = timeStep > 0.0f ? soleFiniteOr( timeStep, 0.0f ) : 0.0f;
-	soleSpringStep step = { .time = t, .rests = !( halfLife > 0.0f ) || HALF_PHASE * t >= SETTLED * halfLife };
-	if ( t > 0.0f && step.rests == false )
+	soleSpringStep step = { .time = t, .arrives = !( halfLife > 0.0f ) || HALF_PHASE * t >= SETTLED * halfLife };
+	if ( t > 0.0f && step.arrives == false )
 	{
 		step.y = HALF_PHASE / halfLife;
 		step.decay = soleExpNegative( HALF_PHASE * t / halfLife );
@@ -50,7 +50,7 @@ static soleOffset1 soleStepBy( soleSpringStep step, soleOffset1 spring, float go
 		return ( soleOffset1 ){ value, velocity };
 	}
 	float movedGoal = soleFiniteOr( goal + goalVelocity * t, goal );
-	if ( step.rests )
+	if ( step.arrives )
 	{
 		return ( soleOffset1 ){ movedGoal, goalVelocity };
 	}
@@ -65,6 +65,12 @@ static soleOffset1 soleStepBy( soleSpringStep step, soleOffset1 spring, float go
 
 soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, float halfLife, float timeStep )
 {
+	bool rests = spring.value == goal && spring.velocity == 0.0f && goalVelocity == 0.0f && soleIsFinite( goal );
+	if ( rests && timeStep > 0.0f && halfLife > 0.0f )
+	{
+		// As it would come out of the formula, which gives no zero a sign.
+		return ( soleOffset1 ){ goal + 0.0f, 0.0f };
+	}
 	return soleStepBy( soleMakeSpringStep( halfLife, timeStep ), spring, goal, goalVelocity );
 }
 
