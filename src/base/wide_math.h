@@ -213,7 +213,34 @@ static inline soleLanes4 FN( soleFromTo4 )( soleLanes3 from, soleLanes3 to, sole
 	return FN( solePick4 )( opposite, ( soleLanes4 ){ n.x, n.y, n.z, NUM( 0.0f ) }, turn );
 }
 
+static inline soleLanes4 FN( soleConjugate4 )( soleLanes4 q )
+{
+	return ( soleLanes4 ){ FN( soleNegWide )( q.x ), FN( soleNegWide )( q.y ), FN( soleNegWide )( q.z ), q.w };
+}
+
+static inline soleLanes4 FN( soleNlerp4 )( soleLanes4 a, soleLanes4 b, soleWide fraction )
+{
+	soleWide dot = ADD( ADD( MUL( a.x, b.x ), MUL( a.y, b.y ) ), ADD( MUL( a.z, b.z ), MUL( a.w, b.w ) ) );
+	soleWide t = PICK( LESS( dot, NUM( 0.0f ) ), FN( soleNegWide )( fraction ), fraction );
+	soleWide s = SUB( NUM( 1.0f ), fraction );
+	soleLanes4 q = { ADD( MUL( s, a.x ), MUL( t, b.x ) ), ADD( MUL( s, a.y ), MUL( t, b.y ) ),
+		ADD( MUL( s, a.z ), MUL( t, b.z ) ), ADD( MUL( s, a.w ), MUL( t, b.w ) ) };
+	return FN( soleNormalize4 )( q );
+}
+
 // -------------------------------------------------------------------------------------------------------- half angles
+
+static inline soleLanesHalf FN( soleWideHalfFromAngle )( soleWide angle )
+{
+	soleWide one = NUM( 1.0f );
+	soleWide x = MUL( NUM( 0.25f ), FN( soleLimitWide )( angle, NUM( -3.14159265f ), NUM( 3.14159265f ) ) );
+	soleWide z = MUL( x, x );
+	soleWide s = SUB( NUM( 1.0f / 120.0f ), MUL( z, NUM( 1.0f / 5040.0f ) ) );
+	s = MUL( x, SUB( one, MUL( z, SUB( NUM( 1.0f / 6.0f ), MUL( z, s ) ) ) ) );
+	soleWide c = SUB( NUM( 1.0f / 720.0f ), MUL( z, NUM( 1.0f / 40320.0f ) ) );
+	c = SUB( one, MUL( z, SUB( NUM( 0.5f ), MUL( z, SUB( NUM( 1.0f / 24.0f ), MUL( z, c ) ) ) ) ) );
+	return ( soleLanesHalf ){ SUB( MUL( c, c ), MUL( s, s ) ), MUL( MUL( NUM( 2.0f ), s ), c ) };
+}
 
 static inline soleLanesHalf FN( soleMakeWideHalf )( soleWide cosine, soleWide sine )
 {

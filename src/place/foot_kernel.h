@@ -18,21 +18,6 @@ static inline soleLanesHalf FN( soleTwistHalfLanes )( soleLanes4 twist, soleLane
 	return ( soleLanesHalf ){ MUL( sign, twist.w ), MUL( sign, s ) };
 }
 
-static inline soleLanes4 FN( soleConjugate4 )( soleLanes4 q )
-{
-	return ( soleLanes4 ){ FN( soleNegWide )( q.x ), FN( soleNegWide )( q.y ), FN( soleNegWide )( q.z ), q.w };
-}
-
-static inline soleLanes4 FN( soleNlerp4 )( soleLanes4 a, soleLanes4 b, soleWide fraction )
-{
-	soleWide dot = ADD( ADD( MUL( a.x, b.x ), MUL( a.y, b.y ) ), ADD( MUL( a.z, b.z ), MUL( a.w, b.w ) ) );
-	soleWide t = PICK( LESS( dot, NUM( 0.0f ) ), FN( soleNegWide )( fraction ), fraction );
-	soleWide s = SUB( NUM( 1.0f ), fraction );
-	soleLanes4 q = { ADD( MUL( s, a.x ), MUL( t, b.x ) ), ADD( MUL( s, a.y ), MUL( t, b.y ) ),
-		ADD( MUL( s, a.z ), MUL( t, b.z ) ), ADD( MUL( s, a.w ), MUL( t, b.w ) ) };
-	return FN( soleNormalize4 )( q );
-}
-
 static inline soleLanes3 FN( soleRow3 )( soleFootRow* rows, int32_t i )
 {
 	return ( soleLanes3 ){ soleWide_Load( rows[0] + i ), soleWide_Load( rows[1] + i ), soleWide_Load( rows[2] + i ) };

@@ -6,6 +6,7 @@
 #include "base/core.h"
 #include "place/foot_wide.h"
 #include "place/sense_wide.h"
+#include "place/target_wide.h"
 
 #include <string.h>
 
@@ -151,8 +152,8 @@ void soleBeginFrames( solePlaceWork* const* works, int32_t count, int32_t width 
 	}
 }
 
-/// From the answers of the ground to where the pelvis goes.
-static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
+/// From the answers of the ground to where feet are held.
+static void soleStandFrame( solePlaceWork* work, const soleLegHits* hits )
 {
 	solePassThrough( work->rig, work->frame, work->second, work->out );
 	soleFindSupport( work, hits );
@@ -165,7 +166,11 @@ static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
 	SOLE_STAGE_END( "foothold" );
 	soleUpdateLocks( work );
 	SOLE_STAGE_END( "lock" );
-	soleSetTargets( work );
+}
+
+/// From the targets to where the pelvis goes.
+static void soleReachFrame( solePlaceWork* work )
+{
 	soleClassReach( work );
 	soleDemandSecondPose( work );
 	SOLE_STAGE_END( "target" );
@@ -211,7 +216,9 @@ static void soleCloseFrame( solePlaceWork* work )
 
 void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
 {
-	soleReachFrame( work, hits );
+	soleStandFrame( work, hits );
+	soleSetTargets( work );
+	soleReachFrame( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleFinishLeg( work, work->legs + i );
@@ -224,7 +231,12 @@ void soleEndFrames( solePlaceWork* const* works, const soleLegHits* hits, int32_
 {
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		soleReachFrame( works[i], hits + i );
+		soleStandFrame( works[i], hits + i );
+	}
+	soleSetAllTargets( works, count, width );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleReachFrame( works[i] );
 	}
 	soleFinishLegs( works, count, width );
 	for ( int32_t i = 0; i < count; ++i )

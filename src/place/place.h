@@ -441,6 +441,13 @@ void soleChooseFootholds( solePlaceWork* work );
 void soleUpdateLocks( solePlaceWork* work );
 /// Ankle and foot goals.
 void soleSetTargets( solePlaceWork* work );
+/// Parts of it. The plane of a foot that follows less of the slope, and stays above the ground for it.
+solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg );
+/// The angle about up that points the toes outwards, away from the other side of the body.
+float soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg );
+/// The angle that lays a foot flat whose heel its clip leaves off the floor while heel and toes are down and at rest:
+/// about what a heel is raised about, at right angles to the foot. It comes and goes with that.
+float soleStepFlat( const solePlaceWork* work, const soleLegWork* leg );
 /// Whose ground is out of reach.
 void soleClassReach( solePlaceWork* work );
 /// How much of the second pose the ground demands.

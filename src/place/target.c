@@ -16,9 +16,8 @@
 #define FLATTEN_TIME 0.04f // s, half-life
 #define HEEL_RESTS 0.15f   // L/s: a heel that is slower neither comes down nor leaves
 
-/// Follows less of the slope, and stays above the ground for it: the flatter plane is raised until it touches the old
-/// one at an end of the sole.
-static solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg )
+// The flatter plane is raised until it touches the old one at an end of the sole.
+solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg )
 {
 	solePlane plane = leg->plane;
 	float align = soleFindAlign( work, plane.gradient );
@@ -42,20 +41,17 @@ static solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg 
 	return soleMakePlane( work, soleMulAdd( plane.point, raise, work->up ), soleScale( align, plane.gradient ) );
 }
 
-/// The turn about up that points the toes outwards, away from the other side of the body.
-static soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg )
+float soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleRigLeg* rig = leg->rig;
 	float left = rig->def.side == sole_left ? work->settings->target.toeOutLeft : 0.0f;
 	float angle = rig->def.side == sole_right ? work->settings->target.toeOutRight : left;
 	// A positive turn about up takes the heading away from the foot's side vector.
 	float sign = rig->outerSide >= rig->innerSide ? -1.0f : 1.0f;
-	return soleHalfRotation( work->up, soleHalfFromAngle( sign * angle ) );
+	return sign * angle;
 }
 
-/// The turn that lays a foot flat whose heel its clip leaves off the floor while heel and toes are down and at rest:
-/// about what a heel is raised about, at right angles to the foot. It comes and goes with that.
-static soleQuat soleLayFlat( const solePlaceWork* work, soleLegWork* leg )
+float soleStepFlat( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleSettings* s = work->settings;
 	soleLegState* state = leg->state;
@@ -67,8 +63,7 @@ static soleQuat soleLayFlat( const solePlaceWork* work, soleLegWork* leg )
 	float goal = rests ? soleMinF( sine, s->target.flatten ) : 0.0f;
 	soleOffset1 still = { goal, 0.0f };
 	state->flat = work->first ? still : soleStepSpring( state->flat, goal, 0.0f, FLATTEN_TIME, work->timeStep );
-	soleVec3 side = soleRotate( leg->foot.rotation, leg->rig->footSide );
-	return soleHalfRotation( side, soleHalfFromAngle( state->flat.value ) );
+	return state->flat.value;
 }
 
 void soleSetTargets( solePlaceWork* work )
@@ -88,10 +83,12 @@ void soleSetTargets( solePlaceWork* work )
 		// Heights were measured along the root's up: a leaning root is put upright first.
 		soleQuat upright = soleFromTo( work->rootUp, work->up, leg->forward );
 		soleQuat image = soleMulQuat( tilt, soleMulQuat( leg->turn, upright ) );
-		soleQuat turned = soleMulQuat( leg->turn, soleMulQuat( soleGetToeOut( work, leg ), upright ) );
+		soleQuat toeOut = soleHalfRotation( work->up, soleHalfFromAngle( soleGetToeOut( work, leg ) ) );
+		soleQuat turned = soleMulQuat( leg->turn, soleMulQuat( toeOut, upright ) );
 		leg->image = soleMulQuat( tilt, turned );
 		// A foot that is turned outwards turns under its ankle.
-		soleQuat flat = soleLayFlat( work, leg );
+		soleVec3 side = soleRotate( leg->foot.rotation, leg->rig->footSide );
+		soleQuat flat = soleHalfRotation( side, soleHalfFromAngle( soleStepFlat( work, leg ) ) );
 		soleVec3 arm = soleAdd( soleSub( leg->pivot, q ), soleRotate( flat, soleSub( leg->ankle, leg->pivot ) ) );
 		soleVec3 ankle = soleAdd( goal, soleRotate( image, arm ) );
 		soleVec3 fore = soleRotate( flat, soleSub( leg->pivot, leg->ankle ) );
