@@ -39,6 +39,13 @@
 #define SOLE_X86 0
 #endif
 
+// Lanes are handed on in registers only where there is no call: compilers give up on that in long files.
+#if defined( __GNUC__ )
+#define SOLE_INLINE static inline __attribute__( ( always_inline ) )
+#else
+#define SOLE_INLINE static inline
+#endif
+
 #define SOLE_PRAGMA( text ) _Pragma( #text )
 #if SOLE_X86 && defined( __clang__ )
 #pragma STDC FP_CONTRACT OFF

@@ -43,75 +43,75 @@ typedef struct soleLanesHalf
 #define LESS( a, b ) soleWide_Less( a, b )
 #define PICK( mask, a, b ) soleWide_Select( mask, a, b )
 
-static inline soleWide FN( soleNegWide )( soleWide a )
+SOLE_INLINE soleWide FN( soleNegWide )( soleWide a )
 {
 	return MUL( NUM( -1.0f ), a );
 }
 
 /// x < low ? low : ( x > high ? high : x )
-static inline soleWide FN( soleClampWide )( soleWide x, soleWide low, soleWide high )
+SOLE_INLINE soleWide FN( soleClampWide )( soleWide x, soleWide low, soleWide high )
 {
 	return PICK( LESS( x, low ), low, soleWide_Min( high, x ) );
 }
 
 /// The same where low is known not to be above high.
-static inline soleWide FN( soleLimitWide )( soleWide x, soleWide low, soleWide high )
+SOLE_INLINE soleWide FN( soleLimitWide )( soleWide x, soleWide low, soleWide high )
 {
 	return soleWide_Max( low, soleWide_Min( high, x ) );
 }
 
 // ----------------------------------------------------------------------------------------------------------- vectors
 
-static inline soleLanes3 FN( soleAdd3 )( soleLanes3 a, soleLanes3 b )
+SOLE_INLINE soleLanes3 FN( soleAdd3 )( soleLanes3 a, soleLanes3 b )
 {
 	return ( soleLanes3 ){ ADD( a.x, b.x ), ADD( a.y, b.y ), ADD( a.z, b.z ) };
 }
 
-static inline soleLanes3 FN( soleSub3 )( soleLanes3 a, soleLanes3 b )
+SOLE_INLINE soleLanes3 FN( soleSub3 )( soleLanes3 a, soleLanes3 b )
 {
 	return ( soleLanes3 ){ SUB( a.x, b.x ), SUB( a.y, b.y ), SUB( a.z, b.z ) };
 }
 
-static inline soleLanes3 FN( soleScale3 )( soleWide s, soleLanes3 v )
+SOLE_INLINE soleLanes3 FN( soleScale3 )( soleWide s, soleLanes3 v )
 {
 	return ( soleLanes3 ){ MUL( s, v.x ), MUL( s, v.y ), MUL( s, v.z ) };
 }
 
-static inline soleLanes3 FN( soleMulAdd3 )( soleLanes3 a, soleWide s, soleLanes3 b )
+SOLE_INLINE soleLanes3 FN( soleMulAdd3 )( soleLanes3 a, soleWide s, soleLanes3 b )
 {
 	return ( soleLanes3 ){ ADD( a.x, MUL( s, b.x ) ), ADD( a.y, MUL( s, b.y ) ), ADD( a.z, MUL( s, b.z ) ) };
 }
 
-static inline soleWide FN( soleDot3 )( soleLanes3 a, soleLanes3 b )
+SOLE_INLINE soleWide FN( soleDot3 )( soleLanes3 a, soleLanes3 b )
 {
 	return ADD( ADD( MUL( a.x, b.x ), MUL( a.y, b.y ) ), MUL( a.z, b.z ) );
 }
 
-static inline soleLanes3 FN( soleCross3 )( soleLanes3 a, soleLanes3 b )
+SOLE_INLINE soleLanes3 FN( soleCross3 )( soleLanes3 a, soleLanes3 b )
 {
 	return ( soleLanes3 ){ SUB( MUL( a.y, b.z ), MUL( a.z, b.y ) ), SUB( MUL( a.z, b.x ), MUL( a.x, b.z ) ),
 		SUB( MUL( a.x, b.y ), MUL( a.y, b.x ) ) };
 }
 
-static inline soleLanes3 FN( solePick3 )( soleWideMask mask, soleLanes3 a, soleLanes3 b )
+SOLE_INLINE soleLanes3 FN( solePick3 )( soleWideMask mask, soleLanes3 a, soleLanes3 b )
 {
 	return ( soleLanes3 ){ PICK( mask, a.x, b.x ), PICK( mask, a.y, b.y ), PICK( mask, a.z, b.z ) };
 }
 
-static inline soleWide FN( soleLength3 )( soleLanes3 v )
+SOLE_INLINE soleWide FN( soleLength3 )( soleLanes3 v )
 {
 	return soleWide_Sqrt( FN( soleDot3 )( v, v ) );
 }
 
 /// squared >= 1e-12 and squared <= 3e38
-static inline soleWideMask FN( soleIsUsable )( soleWide squared )
+SOLE_INLINE soleWideMask FN( soleIsUsable )( soleWide squared )
 {
 	// Below a number that is as near to 1e-12 as none is in between: "at least" by "less than".
 	soleWideMask large = soleWide_Less( NUM( SOLE_BELOW_LEAST ), squared );
 	return soleWide_And( large, soleWide_Less( squared, NUM( SOLE_ABOVE_MOST ) ) );
 }
 
-static inline soleLanes3 FN( soleNormalize3 )( soleLanes3 v, soleLanes3 fallback )
+SOLE_INLINE soleLanes3 FN( soleNormalize3 )( soleLanes3 v, soleLanes3 fallback )
 {
 	soleWide squared = FN( soleDot3 )( v, v );
 	soleWideMask usable = FN( soleIsUsable )( squared );
@@ -120,7 +120,7 @@ static inline soleLanes3 FN( soleNormalize3 )( soleLanes3 v, soleLanes3 fallback
 }
 
 /// @return false: some lanes are not usable, and all are left as they are
-static inline bool FN( soleTryNormalize3 )( soleLanes3* v )
+SOLE_INLINE bool FN( soleTryNormalize3 )( soleLanes3* v )
 {
 	soleWide squared = FN( soleDot3 )( *v, *v );
 	soleWideMask usable = FN( soleIsUsable )( squared );
@@ -132,14 +132,14 @@ static inline bool FN( soleTryNormalize3 )( soleLanes3* v )
 	return true;
 }
 
-static inline soleLanes3 FN( soleReject3 )( soleLanes3 v, soleLanes3 n )
+SOLE_INLINE soleLanes3 FN( soleReject3 )( soleLanes3 v, soleLanes3 n )
 {
 	// As adding the negative: signs are exact.
 	soleLanes3 along = FN( soleScale3 )( FN( soleDot3 )( v, n ), n );
 	return FN( soleSub3 )( v, along );
 }
 
-static inline soleLanes3 FN( soleAnyOrthogonal3 )( soleLanes3 n )
+SOLE_INLINE soleLanes3 FN( soleAnyOrthogonal3 )( soleLanes3 n )
 {
 	soleWideMask flat = LESS( MUL( n.x, n.x ), NUM( 0.5f ) );
 	soleWide zero = NUM( 0.0f ), one = NUM( 1.0f );
@@ -149,18 +149,18 @@ static inline soleLanes3 FN( soleAnyOrthogonal3 )( soleLanes3 n )
 
 // ------------------------------------------------------------------------------------------------------- quaternions
 
-static inline soleLanes4 FN( solePick4 )( soleWideMask mask, soleLanes4 a, soleLanes4 b )
+SOLE_INLINE soleLanes4 FN( solePick4 )( soleWideMask mask, soleLanes4 a, soleLanes4 b )
 {
 	return (
 	    soleLanes4 ){ PICK( mask, a.x, b.x ), PICK( mask, a.y, b.y ), PICK( mask, a.z, b.z ), PICK( mask, a.w, b.w ) };
 }
 
-static inline soleLanes4 FN( soleIdentity4 )( void )
+SOLE_INLINE soleLanes4 FN( soleIdentity4 )( void )
 {
 	return ( soleLanes4 ){ NUM( 0.0f ), NUM( 0.0f ), NUM( 0.0f ), NUM( 1.0f ) };
 }
 
-static inline soleLanes4 FN( soleMul4 )( soleLanes4 a, soleLanes4 b )
+SOLE_INLINE soleLanes4 FN( soleMul4 )( soleLanes4 a, soleLanes4 b )
 {
 	return ( soleLanes4 ){
 		ADD( ADD( MUL( a.w, b.x ), MUL( a.x, b.w ) ), SUB( MUL( a.y, b.z ), MUL( a.z, b.y ) ) ),
@@ -171,7 +171,7 @@ static inline soleLanes4 FN( soleMul4 )( soleLanes4 a, soleLanes4 b )
 }
 
 /// conj( a ) b, the signs moved to where they cost nothing, zeros' signs kept.
-static inline soleLanes4 FN( soleMulConjugate4 )( soleLanes4 a, soleLanes4 b )
+SOLE_INLINE soleLanes4 FN( soleMulConjugate4 )( soleLanes4 a, soleLanes4 b )
 {
 	return ( soleLanes4 ){
 		ADD( SUB( MUL( a.w, b.x ), MUL( a.x, b.w ) ), SUB( MUL( a.z, b.y ), MUL( a.y, b.z ) ) ),
@@ -181,7 +181,7 @@ static inline soleLanes4 FN( soleMulConjugate4 )( soleLanes4 a, soleLanes4 b )
 	};
 }
 
-static inline soleLanes4 FN( soleNormalize4 )( soleLanes4 q )
+SOLE_INLINE soleLanes4 FN( soleNormalize4 )( soleLanes4 q )
 {
 	soleWide squared = ADD( ADD( MUL( q.x, q.x ), MUL( q.y, q.y ) ), ADD( MUL( q.z, q.z ), MUL( q.w, q.w ) ) );
 	soleWide s = DIV( NUM( 1.0f ), soleWide_Sqrt( squared ) );
@@ -190,14 +190,14 @@ static inline soleLanes4 FN( soleNormalize4 )( soleLanes4 q )
 	return soleWide_GetBits( usable ) == SOLE_ALL_LANES ? unit : FN( solePick4 )( usable, unit, FN( soleIdentity4 )() );
 }
 
-static inline soleLanes3 FN( soleRotate3 )( soleLanes4 q, soleLanes3 v )
+SOLE_INLINE soleLanes3 FN( soleRotate3 )( soleLanes4 q, soleLanes3 v )
 {
 	soleLanes3 u = { q.x, q.y, q.z };
 	soleLanes3 t = FN( soleScale3 )( NUM( 2.0f ), FN( soleCross3 )( u, v ) );
 	return FN( soleAdd3 )( FN( soleMulAdd3 )( v, q.w, t ), FN( soleCross3 )( u, t ) );
 }
 
-static inline soleLanes4 FN( soleFromTo4 )( soleLanes3 from, soleLanes3 to, soleLanes3 halfTurnAxis )
+SOLE_INLINE soleLanes4 FN( soleFromTo4 )( soleLanes3 from, soleLanes3 to, soleLanes3 halfTurnAxis )
 {
 	soleLanes3 sum = FN( soleAdd3 )( from, to );
 	soleWide w = MUL( NUM( 0.5f ), FN( soleDot3 )( sum, sum ) );
@@ -213,12 +213,12 @@ static inline soleLanes4 FN( soleFromTo4 )( soleLanes3 from, soleLanes3 to, sole
 	return FN( solePick4 )( opposite, ( soleLanes4 ){ n.x, n.y, n.z, NUM( 0.0f ) }, turn );
 }
 
-static inline soleLanes4 FN( soleConjugate4 )( soleLanes4 q )
+SOLE_INLINE soleLanes4 FN( soleConjugate4 )( soleLanes4 q )
 {
 	return ( soleLanes4 ){ FN( soleNegWide )( q.x ), FN( soleNegWide )( q.y ), FN( soleNegWide )( q.z ), q.w };
 }
 
-static inline soleLanes4 FN( soleNlerp4 )( soleLanes4 a, soleLanes4 b, soleWide fraction )
+SOLE_INLINE soleLanes4 FN( soleNlerp4 )( soleLanes4 a, soleLanes4 b, soleWide fraction )
 {
 	soleWide dot = ADD( ADD( MUL( a.x, b.x ), MUL( a.y, b.y ) ), ADD( MUL( a.z, b.z ), MUL( a.w, b.w ) ) );
 	soleWide t = PICK( LESS( dot, NUM( 0.0f ) ), FN( soleNegWide )( fraction ), fraction );
@@ -230,7 +230,7 @@ static inline soleLanes4 FN( soleNlerp4 )( soleLanes4 a, soleLanes4 b, soleWide 
 
 // -------------------------------------------------------------------------------------------------------- half angles
 
-static inline soleLanesHalf FN( soleWideHalfFromAngle )( soleWide angle )
+SOLE_INLINE soleLanesHalf FN( soleWideHalfFromAngle )( soleWide angle )
 {
 	soleWide one = NUM( 1.0f );
 	soleWide x = MUL( NUM( 0.25f ), FN( soleLimitWide )( angle, NUM( -3.14159265f ), NUM( 3.14159265f ) ) );
@@ -242,7 +242,7 @@ static inline soleLanesHalf FN( soleWideHalfFromAngle )( soleWide angle )
 	return ( soleLanesHalf ){ SUB( MUL( c, c ), MUL( s, s ) ), MUL( MUL( NUM( 2.0f ), s ), c ) };
 }
 
-static inline soleLanesHalf FN( soleMakeWideHalf )( soleWide cosine, soleWide sine )
+SOLE_INLINE soleLanesHalf FN( soleMakeWideHalf )( soleWide cosine, soleWide sine )
 {
 	soleWide zero = NUM( 0.0f ), one = NUM( 1.0f );
 	// Of squares: not below zero, and what is no number is not usable either way.
@@ -263,12 +263,12 @@ static inline soleLanesHalf FN( soleMakeWideHalf )( soleWide cosine, soleWide si
 	return ( soleLanesHalf ){ PICK( usable, half.c, one ), PICK( usable, half.s, zero ) };
 }
 
-static inline soleLanesHalf FN( soleSubWideHalf )( soleLanesHalf a, soleLanesHalf b )
+SOLE_INLINE soleLanesHalf FN( soleSubWideHalf )( soleLanesHalf a, soleLanesHalf b )
 {
 	return ( soleLanesHalf ){ ADD( MUL( a.c, b.c ), MUL( a.s, b.s ) ), SUB( MUL( a.s, b.c ), MUL( a.c, b.s ) ) };
 }
 
-static inline soleLanes4 FN( soleWideHalfRotation )( soleLanes3 axis, soleLanesHalf half )
+SOLE_INLINE soleLanes4 FN( soleWideHalfRotation )( soleLanes3 axis, soleLanesHalf half )
 {
 	return ( soleLanes4 ){ MUL( half.s, axis.x ), MUL( half.s, axis.y ), MUL( half.s, axis.z ), half.c };
 }
@@ -276,7 +276,7 @@ static inline soleLanes4 FN( soleWideHalfRotation )( soleLanes3 axis, soleLanesH
 /// Halvings bring what is below 20 to 0.5 or less.
 #define SOLE_WIDE_HALVINGS 6
 
-static inline soleWide FN( soleExpNegativeWide )( soleWide x )
+SOLE_INLINE soleWide FN( soleExpNegativeWide )( soleWide x )
 {
 	soleWide half = NUM( 0.5f ), one = NUM( 1.0f );
 	soleWide y = x;

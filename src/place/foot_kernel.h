@@ -1,49 +1,32 @@
-// SPDX-License-Identifier: MIT
-// Legs and ankles of leg.c and ankle.c for many lanes at once, for legs of hip, knee and ankle with toes. Included once
-// for each width, as place/leg_kernel.h is, through whose passes they go first. Lanes whose ankle may be at its limits
-// are told, and left to ankle.c.
-#include "place/leg_kernel.h"
+// SPDSOLE_LANES-License-Identifier: MIT
+// Legs and ankles of leg.c and ankle.c for many lanes at once, for legs of hip, knee and ankle with toes. Included
+// once for each width, after place/leg_kernel.h, through whose passes they go first. Lanes whose ankle may be at its
+// limits are told, and left to ankle.c.
 
 /// The turn's part about a unit axis.
-static inline soleLanes4 FN( soleTwistLanes )( soleLanes4 q, soleLanes3 axis )
+SOLE_INLINE soleLanes4 FN( soleTwistLanes )( soleLanes4 q, soleLanes3 axis )
 {
 	soleWide d = ADD( ADD( MUL( q.x, axis.x ), MUL( q.y, axis.y ) ), MUL( q.z, axis.z ) );
 	return FN( soleNormalize4 )( ( soleLanes4 ){ MUL( d, axis.x ), MUL( d, axis.y ), MUL( d, axis.z ), q.w } );
 }
 
-static inline soleLanesHalf FN( soleTwistHalfLanes )( soleLanes4 twist, soleLanes3 axis )
+SOLE_INLINE soleLanesHalf FN( soleTwistHalfLanes )( soleLanes4 twist, soleLanes3 axis )
 {
 	soleWide s = ADD( ADD( MUL( twist.x, axis.x ), MUL( twist.y, axis.y ) ), MUL( twist.z, axis.z ) );
 	soleWide sign = PICK( LESS( twist.w, NUM( 0.0f ) ), NUM( -1.0f ), NUM( 1.0f ) );
 	return ( soleLanesHalf ){ MUL( sign, twist.w ), MUL( sign, s ) };
 }
 
-static inline soleLanes3 FN( soleRow3 )( soleFootRow* rows, int32_t i )
-{
-	return ( soleLanes3 ){ soleWide_Load( rows[0] + i ), soleWide_Load( rows[1] + i ), soleWide_Load( rows[2] + i ) };
-}
-
-static inline soleLanes4 FN( soleRow4 )( soleFootRow* rows, int32_t i )
-{
-	return ( soleLanes4 ){ soleWide_Load( rows[0] + i ), soleWide_Load( rows[1] + i ), soleWide_Load( rows[2] + i ),
-		soleWide_Load( rows[3] + i ) };
-}
-
-static inline void FN( soleKeep4 )( soleFootRow* rows, int32_t i, soleLanes4 q )
-{
-	FN( soleStore4 )( ( soleArray4 ){ rows[0], rows[1], rows[2], rows[3] }, i, q );
-}
-
 // ------------------------------------------------------------------------------------------------------------ passes
 
 /// Strictly within limits: what is at one of them is left to the plain code, whichever side it is on.
-static inline soleWideMask FN( soleIsBetween )( soleWide x, soleFootRow low, soleFootRow high, int32_t i )
+SOLE_INLINE soleWideMask FN( soleIsBetween )( soleWide x, soleRow low, soleRow high, int32_t i )
 {
 	return soleWide_And( LESS( soleWide_Load( low + i ), x ), LESS( x, soleWide_Load( high + i ) ) );
 }
 
 /// soleTakeApart() and soleIsWithin() of ankle.c.
-static inline void FN( soleCheckAnkles )( soleFootLanes* f, int32_t i )
+SOLE_INLINE void FN( soleCheckAnkles )( soleFootLanes* f, int32_t i )
 {
 	soleLanes4 turn = FN( soleMul4 )( FN( soleRow4 )( f->hipTurn, i ), FN( soleRow4 )( f->kneeTurn, i ) );
 	soleLanes4 shin = FN( soleMul4 )( turn, FN( soleRow4 )( f->shin, i ) );
@@ -66,7 +49,7 @@ static inline void FN( soleCheckAnkles )( soleFootLanes* f, int32_t i )
 	}
 }
 
-static inline void FN( soleAlignLanes )( soleFootLanes* f, int32_t i )
+SOLE_INLINE void FN( soleAlignLanes )( soleFootLanes* f, int32_t i )
 {
 	soleLanes4 hipTurn = FN( soleRow4 )( f->hipTurn, i ), kneeTurn = FN( soleRow4 )( f->kneeTurn, i );
 	soleLanes4 thigh = FN( soleMul4 )( hipTurn, FN( soleRow4 )( f->thigh, i ) );
@@ -81,7 +64,7 @@ static inline void FN( soleAlignLanes )( soleFootLanes* f, int32_t i )
 }
 
 /// soleBendToe() of ankle.c.
-static inline soleLanes4 FN( soleBendLaneToes )( soleFootLanes* f, int32_t i, soleLanes4 foot )
+SOLE_INLINE soleLanes4 FN( soleBendLaneToes )( soleFootLanes* f, int32_t i, soleLanes4 foot )
 {
 	soleLanes4 toe = FN( soleRow4 )( f->toe, i );
 	soleLanes4 local = FN( soleMulConjugate4 )( FN( soleRow4 )( f->foot, i ), toe );
@@ -103,7 +86,7 @@ static inline soleLanes4 FN( soleBendLaneToes )( soleFootLanes* f, int32_t i, so
 	return FN( soleNlerp4 )( carried, bent, share );
 }
 
-static inline void FN( soleTurnLaneToes )( soleFootLanes* f, int32_t i )
+SOLE_INLINE void FN( soleTurnLaneToes )( soleFootLanes* f, int32_t i )
 {
 	soleLanes4 foot = FN( soleRow4 )( f->reachedFoot, i );
 	soleLanes4 toe = FN( soleMulConjugate4 )( foot, FN( soleBendLaneToes )( f, i, foot ) );
@@ -111,7 +94,7 @@ static inline void FN( soleTurnLaneToes )( soleFootLanes* f, int32_t i )
 	FN( soleKeep4 )( f->toe_l, i, FN( soleNormalize4 )( FN( soleMulConjugate4 )( parent, toe ) ) );
 }
 
-static inline void FN( soleKeepTurns )( soleFootLanes* f, int32_t i, const soleLegLanes* leg )
+SOLE_INLINE void FN( soleKeepTurns )( soleFootLanes* f, int32_t i, const soleLegLanes* leg )
 {
 	// No share of a twist, as a product that may change the sign of a zero.
 	FN( soleKeep4 )( f->hipTurn, i, FN( soleMul4 )( FN( soleIdentity4 )(), leg->hipTurn ) );

@@ -4,6 +4,8 @@
 // one by one, as do those of which a setting wants more, and after the legs those ankles that come near their limits.
 #include "place/foot_wide.h"
 
+#include "place/kernels.h"
+
 static bool soleFitsLanes( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleRigLeg* rig = leg->rig;
@@ -12,35 +14,15 @@ static bool soleFitsLanes( const solePlaceWork* work, const soleLegWork* leg )
 	return plain && leg->usable && !( work->settings->leg.twist > 0.0f );
 }
 
-static void solePut3( soleFootRow* rows, int32_t lane, soleVec3 v )
-{
-	rows[0][lane] = v.x;
-	rows[1][lane] = v.y;
-	rows[2][lane] = v.z;
-}
-
-static void solePut4( soleFootRow* rows, int32_t lane, soleQuat q )
-{
-	rows[0][lane] = q.x;
-	rows[1][lane] = q.y;
-	rows[2][lane] = q.z;
-	rows[3][lane] = q.w;
-}
-
-static soleQuat soleGet4( soleFootRow* rows, int32_t lane )
-{
-	return ( soleQuat ){ rows[0][lane], rows[1][lane], rows[2][lane], rows[3][lane] };
-}
-
 // -------------------------------------------------------------------------------------------------------------- in
 
 static void solePutBones( soleFootLanes* f, int32_t lane, const soleTwoBoneDef* def )
 {
-	solePut3( f->hip, lane, def->hip );
-	solePut3( f->knee, lane, def->knee );
-	solePut3( f->ankle, lane, def->ankle );
-	solePut3( f->target, lane, def->target );
-	solePut3( f->hinge, lane, def->hinge );
+	solePutRow3( f->hip, lane, def->hip );
+	solePutRow3( f->knee, lane, def->knee );
+	solePutRow3( f->ankle, lane, def->ankle );
+	solePutRow3( f->target, lane, def->target );
+	solePutRow3( f->hinge, lane, def->hinge );
 	f->reach[lane] = def->reach;
 	f->fold[lane] = def->fold;
 	f->softZone[lane] = def->softZone;
@@ -49,26 +31,26 @@ static void solePutBones( soleFootLanes* f, int32_t lane, const soleTwoBoneDef* 
 static void solePutTurns( soleFootLanes* f, int32_t lane, const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleRigLeg* rig = leg->rig;
-	solePut4( f->thigh, lane, leg->rotations[0] );
-	solePut4( f->shin, lane, leg->rotations[1] );
-	solePut4( f->foot, lane, leg->foot.rotation );
-	solePut4( f->toe, lane, leg->toeRotation );
-	solePut4( f->thighParent, lane, soleParentRotation( work, rig->slots[0] ) );
-	solePut4( f->shinParent, lane, soleParentRotation( work, rig->slots[1] ) );
-	solePut4( f->footParent, lane, soleParentRotation( work, rig->slots[2] ) );
-	solePut4( f->toeParent, lane, soleParentRotation( work, rig->toeSlot ) );
-	solePut4( f->reachedFoot, lane, leg->footReached );
-	solePut4( f->image, lane, leg->image );
+	solePutRow4( f->thigh, lane, leg->rotations[0] );
+	solePutRow4( f->shin, lane, leg->rotations[1] );
+	solePutRow4( f->foot, lane, leg->foot.rotation );
+	solePutRow4( f->toe, lane, leg->toeRotation );
+	solePutRow4( f->thighParent, lane, soleParentRotation( work, rig->slots[0] ) );
+	solePutRow4( f->shinParent, lane, soleParentRotation( work, rig->slots[1] ) );
+	solePutRow4( f->footParent, lane, soleParentRotation( work, rig->slots[2] ) );
+	solePutRow4( f->toeParent, lane, soleParentRotation( work, rig->toeSlot ) );
+	solePutRow4( f->reachedFoot, lane, leg->footReached );
+	solePutRow4( f->image, lane, leg->image );
 }
 
 static void solePutRig( soleFootLanes* f, int32_t lane, const soleRigLeg* rig )
 {
-	solePut3( f->up, lane, rig->footUp );
-	solePut3( f->ahead, lane, rig->footForward );
-	solePut3( f->side, lane, rig->footSide );
-	solePut4( f->neutral, lane, rig->neutral );
-	solePut3( f->low, lane, soleVec( rig->pitch.low.s, rig->roll.low.s, rig->twist.low.s ) );
-	solePut3( f->high, lane, soleVec( rig->pitch.high.s, rig->roll.high.s, rig->twist.high.s ) );
+	solePutRow3( f->up, lane, rig->footUp );
+	solePutRow3( f->ahead, lane, rig->footForward );
+	solePutRow3( f->side, lane, rig->footSide );
+	solePutRow4( f->neutral, lane, rig->neutral );
+	solePutRow3( f->low, lane, soleVec( rig->pitch.low.s, rig->roll.low.s, rig->twist.low.s ) );
+	solePutRow3( f->high, lane, soleVec( rig->pitch.high.s, rig->roll.high.s, rig->twist.high.s ) );
 }
 
 static void solePutToes( soleFootLanes* f, int32_t lane, const solePlaceWork* work, const soleLegWork* leg )
@@ -101,32 +83,18 @@ static void soleTakeLane( soleFootLanes* f, int32_t lane )
 {
 	const solePlaceWork* work = f->works[lane];
 	soleLegWork* leg = f->legs[lane];
-	leg->hipTurn = soleGet4( f->hipTurn, lane );
-	leg->kneeTurn = soleGet4( f->kneeTurn, lane );
+	leg->hipTurn = soleGetRow4( f->hipTurn, lane );
+	leg->kneeTurn = soleGetRow4( f->kneeTurn, lane );
 	soleTakeLeg( work, leg, soleVec( f->reached[0][lane], f->reached[1][lane], f->reached[2][lane] ), f->flags[lane] );
 	if ( f->within[lane] == 0 && leg->weight > 0.0f )
 	{
 		soleFinishAnkle( work, leg );
 		return;
 	}
-	leg->out->rotations_l[0] = soleGet4( f->thigh_l, lane );
-	leg->out->rotations_l[1] = soleGet4( f->shin_l, lane );
-	leg->out->rotations_l[2] = soleGet4( f->foot_l, lane );
-	leg->out->toeRotation_l = soleGet4( f->toe_l, lane );
-}
-
-/// Lanes that are not used go along with the first.
-static void soleFillUp( soleFootLanes* f, int32_t end )
-{
-	soleFootRow* row = f->hip;
-	size_t rows = ( offsetof( soleFootLanes, hipTurn ) - offsetof( soleFootLanes, hip ) ) / sizeof *row;
-	for ( size_t i = 0; i < rows; ++i )
-	{
-		for ( int32_t lane = f->count; lane < end; ++lane )
-		{
-			row[i][lane] = row[i][0];
-		}
-	}
+	leg->out->rotations_l[0] = soleGetRow4( f->thigh_l, lane );
+	leg->out->rotations_l[1] = soleGetRow4( f->shin_l, lane );
+	leg->out->rotations_l[2] = soleGetRow4( f->foot_l, lane );
+	leg->out->toeRotation_l = soleGetRow4( f->toe_l, lane );
 }
 
 static void soleRunLanes( soleFootLanes* f, int32_t width )
@@ -135,8 +103,8 @@ static void soleRunLanes( soleFootLanes* f, int32_t width )
 	{
 		return;
 	}
-	int32_t end = ( f->count + width - 1 ) / width * width;
-	soleFillUp( f, end );
+	int32_t end = soleWholeLanes( f->count, width );
+	soleFillRows( f->hip, offsetof( soleFootLanes, hipTurn ) - offsetof( soleFootLanes, hip ), f->count, end );
 	soleGetFootLanes( width )( f, end );
 	for ( int32_t lane = 0; lane < f->count; ++lane )
 	{
@@ -160,7 +128,7 @@ void soleFinishLegs( solePlaceWork* const* works, int32_t count, int32_t width )
 				continue;
 			}
 			soleAddLane( &lanes, works[i], leg );
-			if ( lanes.count == SOLE_FOOT_LANES )
+			if ( lanes.count == SOLE_LANES )
 			{
 				soleRunLanes( &lanes, width );
 			}

@@ -7,18 +7,18 @@
 // few vectors of legs go through it side by side, in short passes whose steps do not depend on those of the next
 // vector: a fifth to a quarter faster than one vector from end to end.
 
-static inline soleLanes3 FN( soleLoad3 )( soleArray3 a, int32_t i )
+SOLE_INLINE soleLanes3 FN( soleLoad3 )( soleArray3 a, int32_t i )
 {
 	return ( soleLanes3 ){ soleWide_Load( a.x + i ), soleWide_Load( a.y + i ), soleWide_Load( a.z + i ) };
 }
 
-static inline soleLanes4 FN( soleLoad4 )( soleArray4 a, int32_t i )
+SOLE_INLINE soleLanes4 FN( soleLoad4 )( soleArray4 a, int32_t i )
 {
 	return ( soleLanes4 ){ soleWide_Load( a.x + i ), soleWide_Load( a.y + i ), soleWide_Load( a.z + i ),
 		soleWide_Load( a.w + i ) };
 }
 
-static inline void FN( soleStore4 )( soleArray4 a, int32_t i, soleLanes4 q )
+SOLE_INLINE void FN( soleStore4 )( soleArray4 a, int32_t i, soleLanes4 q )
 {
 	soleWide_Store( a.x + i, q.x );
 	soleWide_Store( a.y + i, q.y );
@@ -26,7 +26,7 @@ static inline void FN( soleStore4 )( soleArray4 a, int32_t i, soleLanes4 q )
 	soleWide_Store( a.w + i, q.w );
 }
 
-static inline soleLanes3 FN( soleFindWideAxis )(
+SOLE_INLINE soleLanes3 FN( soleFindWideAxis )(
     soleLanes3 k, soleLanes3 s, soleWide a, soleWide b, soleLanes3 u0, soleLanes3 rigHinge )
 {
 	soleLanes3 reference = FN( soleReject3 )( rigHinge, u0 );
@@ -47,7 +47,7 @@ static inline soleLanes3 FN( soleFindWideAxis )(
 	return FN( soleNormalize3 )( FN( soleReject3 )( axis, u0 ), reference );
 }
 
-static inline void FN( soleBendWide )(
+SOLE_INLINE void FN( soleBendWide )(
     soleWide a, soleWide b, soleWide length, soleLanesHalf* flexion, soleLanesHalf* thigh )
 {
 	soleWide zero = NUM( 0.0f ), least = NUM( 1e-30f );
@@ -63,7 +63,7 @@ static inline void FN( soleBendWide )(
 	*thigh = ( soleLanesHalf ){ DIV( soleWide_Sqrt( q2 ), r2 ), DIV( FN( soleNegWide )( soleWide_Sqrt( p2 ) ), r2 ) };
 }
 
-static inline soleWide FN( soleSoftenWide )( soleWide length, soleWide soft, soleWide hard )
+SOLE_INLINE soleWide FN( soleSoftenWide )( soleWide length, soleWide soft, soleWide hard )
 {
 	soleWide zone = SUB( hard, soft );
 	soleWideMask wide = LESS( MUL( NUM( 1e-6f ), hard ), zone );
@@ -96,7 +96,7 @@ typedef struct soleLegLanes
 	soleLanes4 hipTurn, kneeTurn;
 } soleLegLanes;
 
-static inline void FN( soleMeasureLanes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
+SOLE_INLINE void FN( soleMeasureLanes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
 {
 	soleLanes3 hip = FN( soleLoad3 )( batch->hip, i ), hinge = FN( soleLoad3 )( batch->hinge, i );
 	soleLanes3 knee = FN( soleLoad3 )( batch->knee, i ), ankle = FN( soleLoad3 )( batch->ankle, i );
@@ -124,12 +124,12 @@ static inline void FN( soleMeasureLanes )( const soleLegBatch* batch, int32_t i,
 	leg->length1 = length1;
 }
 
-static inline void FN( soleFindLaneAxes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
+SOLE_INLINE void FN( soleFindLaneAxes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
 {
 	leg->n = FN( soleFindWideAxis )( leg->k, leg->s, leg->a, leg->b, leg->u0, FN( soleLoad3 )( batch->hinge, i ) );
 }
 
-static inline void FN( soleFindLaneHalves )( soleLegLanes* leg )
+SOLE_INLINE void FN( soleFindLaneHalves )( soleLegLanes* leg )
 {
 	soleLanes3 n = leg->n;
 	soleLanes3 kp = FN( soleReject3 )( leg->k, n );
@@ -142,12 +142,12 @@ static inline void FN( soleFindLaneHalves )( soleLegLanes* leg )
 }
 
 /// A flag as a number where a mask is set, else zero.
-static inline soleWide FN( soleFlagWide )( soleWideMask mask, soleLegFlags flag )
+SOLE_INLINE soleWide FN( soleFlagWide )( soleWideMask mask, soleLegFlags flag )
 {
 	return PICK( mask, NUM( (float)flag ), NUM( 0.0f ) );
 }
 
-static inline void FN( soleBendLanes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
+SOLE_INLINE void FN( soleBendLanes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
 {
 	soleWide zero = NUM( 0.0f ), one = NUM( 1.0f ), bones = ADD( leg->a, leg->b );
 	soleWide hard = MUL( FN( soleLimitWide )( soleWide_Load( batch->reach + i ), zero, one ), bones );
@@ -170,7 +170,7 @@ static inline void FN( soleBendLanes )( const soleLegBatch* batch, int32_t i, so
 	leg->flags = PICK( leg->two, flags, NUM( (float)sole_legDegenerate ) );
 }
 
-static inline void FN( soleStoreFlags )( uint32_t* flags, soleWide numbers )
+SOLE_INLINE void FN( soleStoreFlags )( uint32_t* flags, soleWide numbers )
 {
 	float lanes[SOLE_WIDTH];
 	soleWide_Store( lanes, numbers );
@@ -180,7 +180,7 @@ static inline void FN( soleStoreFlags )( uint32_t* flags, soleWide numbers )
 	}
 }
 
-static inline void FN( soleTurnLanes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
+SOLE_INLINE void FN( soleTurnLanes )( const soleLegBatch* batch, int32_t i, soleLegLanes* leg )
 {
 	soleLanes3 hip = FN( soleLoad3 )( batch->hip, i );
 	soleLanes4 kneeTurn = FN( soleWideHalfRotation )( leg->n, leg->flexion );
@@ -208,7 +208,7 @@ static inline void FN( soleTurnLanes )( const soleLegBatch* batch, int32_t i, so
 	soleWide_Store( batch->reached.z + i, reached.z );
 }
 
-static inline void FN( soleWriteLanes )( const soleLegBatch* batch, int32_t i, const soleLegLanes* leg )
+SOLE_INLINE void FN( soleWriteLanes )( const soleLegBatch* batch, int32_t i, const soleLegLanes* leg )
 {
 	soleLanes4 parent = FN( soleLoad4 )( batch->parent, i );
 	soleLanes4 thigh = FN( soleLoad4 )( batch->thigh, i ), shin = FN( soleLoad4 )( batch->shin, i );
@@ -227,7 +227,7 @@ static inline void FN( soleWriteLanes )( const soleLegBatch* batch, int32_t i, c
 #define SOLE_BLOCK 4
 
 /// All passes but the last over some vectors of legs.
-static inline void FN( soleTurnBlock )( const soleLegBatch* batch, int32_t start, int32_t count, soleLegLanes* legs )
+SOLE_INLINE void FN( soleTurnBlock )( const soleLegBatch* batch, int32_t start, int32_t count, soleLegLanes* legs )
 {
 	for ( int32_t k = 0; k < count; ++k )
 	{

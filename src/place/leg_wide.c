@@ -1,42 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Many legs at once: the kernels of leg_kernel.h and foot_kernel.h in each width, the choice between them, and one by
-// one what is left over at the end of a range. That last way says what all of them give.
+// Many legs at once: by the kernel of leg_kernel.h, and one by one what is left over at the end of a range. That last
+// way says what both of them give.
 #include "place/leg_wide.h"
 
 #include "base/core.h"
-#include "base/wide_limits.h"
-#include "place/foot_wide.h"
-
-#define SOLE_WIDTH 4
-#include "base/simd.h"
-#include "base/wide_math.h"
-#include "place/foot_kernel.h"
-static soleLegLanesFcn* const soleLegLanesOf4 = FN( soleSolveLegLanes );
-static soleFootLanesFcn* const soleFootLanesOf4 = FN( soleFinishFootLanes );
-#undef SOLE_WIDTH
-
-// Elsewhere no machine has more.
-#if SOLE_X86
-#define SOLE_WIDTH 8
-SOLE_BEGIN_AVX2
-#include "base/simd.h"
-#include "base/wide_math.h"
-#include "place/foot_kernel.h"
-SOLE_END_TARGET
-static soleLegLanesFcn* const soleLegLanesOf8 = FN( soleSolveLegLanes );
-static soleFootLanesFcn* const soleFootLanesOf8 = FN( soleFinishFootLanes );
-#undef SOLE_WIDTH
-
-#define SOLE_WIDTH 16
-SOLE_BEGIN_AVX512
-#include "base/simd.h"
-#include "base/wide_math.h"
-#include "place/foot_kernel.h"
-SOLE_END_TARGET
-static soleLegLanesFcn* const soleLegLanesOf16 = FN( soleSolveLegLanes );
-static soleFootLanesFcn* const soleFootLanesOf16 = FN( soleFinishFootLanes );
-#undef SOLE_WIDTH
-#endif
+#include "place/kernels.h"
+#include "place/place.h"
 
 static soleVec3 soleGet3( soleArray3 a, int32_t i )
 {
@@ -89,30 +58,12 @@ static void soleSolveOneByOne( const soleLegBatch* batch, int32_t first, int32_t
 
 soleLegLanesFcn* soleGetLegLanes( int32_t width )
 {
-#if SOLE_X86
-	if ( width == 16 || width == 8 )
-	{
-		return width == 16 ? soleLegLanesOf16 : soleLegLanesOf8;
-	}
-#endif
-	return width == 4 ? soleLegLanesOf4 : soleSolveOneByOne;
-}
-
-soleFootLanesFcn* soleGetFootLanes( int32_t width )
-{
-#if SOLE_X86
-	if ( width == 16 || width == 8 )
-	{
-		return width == 16 ? soleFootLanesOf16 : soleFootLanesOf8;
-	}
-#endif
-	(void)width;
-	return soleFootLanesOf4;
+	return width == 1 ? soleSolveOneByOne : soleGetWideLegLanes( width );
 }
 
 int32_t soleGetBatchWidth( void )
 {
-	return (int32_t)soleGetSimdWidth();
+	return soleGetKernelWidth();
 }
 
 void soleSolveLegBatch( const soleLegBatch* batch, int32_t first, int32_t count )

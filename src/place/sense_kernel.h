@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+// SPDSOLE_LANES-License-Identifier: MIT
 // Sensing of sense.c for many lanes at once. Included after base/simd.h and base/wide_math.h, once for each width. The
 // formulas and their names are those of sense.c; where that branches on what is animated, lanes choose.
 #undef soleLanesSpace
@@ -11,44 +11,32 @@ typedef struct soleLanesSpace
 	soleLanes3 scale;
 } soleLanesSpace;
 
-static inline soleLanes3 FN( soleSense3 )( soleSenseRow* rows, int32_t i )
+SOLE_INLINE soleLanesSpace FN( soleReadSpace )( soleSenseSpace* space, int32_t i )
 {
-	return ( soleLanes3 ){ soleWide_Load( rows[0] + i ), soleWide_Load( rows[1] + i ), soleWide_Load( rows[2] + i ) };
-}
-
-static inline void FN( soleKeepSensed3 )( soleSenseRow* rows, int32_t i, soleLanes3 v )
-{
-	soleWide_Store( rows[0] + i, v.x );
-	soleWide_Store( rows[1] + i, v.y );
-	soleWide_Store( rows[2] + i, v.z );
-}
-
-static inline soleLanesSpace FN( soleReadSpace )( soleSenseSpace* space, int32_t i )
-{
-	soleSenseRow* turn = space->turn;
-	return ( soleLanesSpace ){ FN( soleSense3 )( space->place, i ),
+	soleRow* turn = space->turn;
+	return ( soleLanesSpace ){ FN( soleRow3 )( space->place, i ),
 		{ soleWide_Load( turn[0] + i ), soleWide_Load( turn[1] + i ), soleWide_Load( turn[2] + i ),
 		    soleWide_Load( turn[3] + i ) },
-		FN( soleSense3 )( space->scale, i ) };
+		FN( soleRow3 )( space->scale, i ) };
 }
 
-static inline soleLanes3 FN( soleSet3 )( soleVec3 v )
+SOLE_INLINE soleLanes3 FN( soleSet3 )( soleVec3 v )
 {
 	return ( soleLanes3 ){ NUM( v.x ), NUM( v.y ), NUM( v.z ) };
 }
 
-static inline soleLanes3 FN( soleMul3 )( soleLanes3 a, soleLanes3 b )
+SOLE_INLINE soleLanes3 FN( soleMul3 )( soleLanes3 a, soleLanes3 b )
 {
 	return ( soleLanes3 ){ MUL( a.x, b.x ), MUL( a.y, b.y ), MUL( a.z, b.z ) };
 }
 
-static inline soleLanes3 FN( soleLanesPoint )( const soleLanesSpace* t, soleLanes3 p )
+SOLE_INLINE soleLanes3 FN( soleLanesPoint )( const soleLanesSpace* t, soleLanes3 p )
 {
 	return FN( soleAdd3 )( FN( soleRotate3 )( t->turn, FN( soleMul3 )( t->scale, p ) ), t->place );
 }
 
 /// Not zero in lanes that hold what is no number.
-static inline soleWide FN( soleFindNothing )( const soleLanesSpace* t )
+SOLE_INLINE soleWide FN( soleFindNothing )( const soleLanesSpace* t )
 {
 	soleLanes3 p = t->place, s = t->scale;
 	soleLanes4 q = t->turn;
@@ -65,18 +53,18 @@ static inline void FN( soleEvaluateLanes )( soleSenseLanes* f, int32_t i )
 		int32_t parent = f->rig->slotParents[k];
 		soleLanesSpace above = FN( soleReadSpace )( parent == SOLE_NONE ? &f->root : f->slots + parent, i );
 		soleLanesSpace local = FN( soleReadSpace )( slot, i );
-		FN( soleKeepSensed3 )( slot->place, i, FN( soleLanesPoint )( &above, local.place ) );
+		FN( soleKeep3 )( slot->place, i, FN( soleLanesPoint )( &above, local.place ) );
 		soleLanes4 turn = FN( soleMul4 )( above.turn, FN( soleNormalize4 )( local.turn ) );
 		soleWide_Store( slot->turn[0] + i, turn.x );
 		soleWide_Store( slot->turn[1] + i, turn.y );
 		soleWide_Store( slot->turn[2] + i, turn.z );
 		soleWide_Store( slot->turn[3] + i, turn.w );
-		FN( soleKeepSensed3 )( slot->scale, i, FN( soleMul3 )( above.scale, local.scale ) );
+		FN( soleKeep3 )( slot->scale, i, FN( soleMul3 )( above.scale, local.scale ) );
 	}
 }
 
 /// @return not zero in lanes whose chain holds what is no number
-static inline soleWide FN( soleSenseLaneChain )( soleSenseLanes* f, int32_t leg, int32_t i )
+SOLE_INLINE soleWide FN( soleSenseLaneChain )( soleSenseLanes* f, int32_t leg, int32_t i )
 {
 	const soleRigLeg* rig = f->rig->legs + leg;
 	soleSenseFoot* foot = f->feet + leg;
@@ -96,16 +84,16 @@ static inline soleWide FN( soleSenseLaneChain )( soleSenseLanes* f, int32_t leg,
 		length = ADD( length, FN( soleLength3 )( FN( soleSub3 )( place, next ) ) );
 		place = next;
 	}
-	FN( soleKeepSensed3 )( foot->ankle, i, place );
+	FN( soleKeep3 )( foot->ankle, i, place );
 	soleWide_Store( foot->length + i, length );
 	nothing = ADD( nothing, ADD( SUB( place.x, place.x ), ADD( SUB( place.y, place.y ), SUB( place.z, place.z ) ) ) );
 	return ADD( nothing, SUB( length, length ) );
 }
 
-static inline soleLanes3 FN( soleSenseLaneHeading )(
+SOLE_INLINE soleLanes3 FN( soleSenseLaneHeading )(
     soleSenseLanes* f, const soleRigLeg* rig, const soleLanesSpace* foot, int32_t i )
 {
-	soleLanes3 up = FN( soleSense3 )( f->up, i );
+	soleLanes3 up = FN( soleRow3 )( f->up, i );
 	soleLanes3 ahead = FN( soleRotate3 )( foot->turn, FN( soleSet3 )( rig->footForward ) );
 	soleLanes3 level = FN( soleReject3 )( ahead, up );
 	soleWideMask upright = LESS( FN( soleDot3 )( level, level ), NUM( 1e-4f ) );
@@ -116,16 +104,16 @@ static inline soleLanes3 FN( soleSenseLaneHeading )(
 		over = FN( soleScale3 )( PICK( rises, NUM( -1.0f ), NUM( 1.0f ) ), over );
 		level = FN( solePick3 )( upright, FN( soleReject3 )( over, up ), level );
 	}
-	return FN( soleNormalize3 )( level, FN( soleSense3 )( f->level, i ) );
+	return FN( soleNormalize3 )( level, FN( soleRow3 )( f->level, i ) );
 }
 
 /// Heights of the sole over the clip's floor.
-static inline void FN( soleSenseLaneHeights )( soleSenseLanes* f, int32_t leg, int32_t i, const soleLanesSpace* fore )
+SOLE_INLINE void FN( soleSenseLaneHeights )( soleSenseLanes* f, int32_t leg, int32_t i, const soleLanesSpace* fore )
 {
 	const soleRigLeg* rig = f->rig->legs + leg;
 	soleSenseFoot* foot = f->feet + leg;
-	soleLanes3 floor = FN( soleSense3 )( f->floor, i ), rootUp = FN( soleSense3 )( f->rootUp, i );
-	soleLanes3 heel = FN( soleSense3 )( foot->heel, i ), ball = FN( soleSense3 )( foot->ball, i );
+	soleLanes3 floor = FN( soleRow3 )( f->floor, i ), rootUp = FN( soleRow3 )( f->rootUp, i );
+	soleLanes3 heel = FN( soleRow3 )( foot->heel, i ), ball = FN( soleRow3 )( foot->ball, i );
 	soleWide heelRise = FN( soleDot3 )( FN( soleSub3 )( heel, floor ), rootUp );
 	soleWide ballRise = FN( soleDot3 )( FN( soleSub3 )( ball, floor ), rootUp );
 	soleLanes3 inner = FN( soleLanesPoint )( fore, FN( soleSet3 )( rig->foreInner ) );
@@ -157,9 +145,9 @@ static inline void FN( soleSenseLaneLeg )( soleSenseLanes* f, int32_t leg, int32
 	soleLanesSpace fore =
 	    FN( soleReadSpace )( f->slots + ( rig->toeSlot == SOLE_NONE ? rig->footSlot : rig->toeSlot ), i );
 	nothing = ADD( nothing, ADD( FN( soleFindNothing )( &foot ), FN( soleFindNothing )( &fore ) ) );
-	FN( soleKeepSensed3 )( sensed->heel, i, FN( soleLanesPoint )( &foot, FN( soleSet3 )( rig->heel ) ) );
-	FN( soleKeepSensed3 )( sensed->ball, i, FN( soleLanesPoint )( &fore, FN( soleSet3 )( rig->foreBall ) ) );
-	FN( soleKeepSensed3 )( sensed->forward, i, FN( soleSenseLaneHeading )( f, rig, &foot, i ) );
+	FN( soleKeep3 )( sensed->heel, i, FN( soleLanesPoint )( &foot, FN( soleSet3 )( rig->heel ) ) );
+	FN( soleKeep3 )( sensed->ball, i, FN( soleLanesPoint )( &fore, FN( soleSet3 )( rig->foreBall ) ) );
+	FN( soleKeep3 )( sensed->forward, i, FN( soleSenseLaneHeading )( f, rig, &foot, i ) );
 	FN( soleSenseLaneHeights )( f, leg, i, &fore );
 	soleWideMask usable = LESS( NUM( 1e-6f ), soleWide_Load( sensed->length + i ) );
 	uint32_t bits = soleWide_GetBits( soleWide_And( usable, LESS( nothing, NUM( 1.0f ) ) ) );

@@ -3,73 +3,27 @@
 // sense_kernel.h goes over them in the width that is asked for, and what it finds goes back to each.
 #include "place/sense_wide.h"
 
-#include "base/wide_limits.h"
-
-#define SOLE_WIDTH 4
-#include "base/simd.h"
-#include "base/wide_math.h"
-#include "place/sense_kernel.h"
-static soleSenseLanesFcn* const soleSenseLanesOf4 = FN( soleSenseInLanes );
-#undef SOLE_WIDTH
-
-#if SOLE_X86
-#define SOLE_WIDTH 8
-SOLE_BEGIN_AVX2
-#include "base/simd.h"
-#include "base/wide_math.h"
-#include "place/sense_kernel.h"
-SOLE_END_TARGET
-static soleSenseLanesFcn* const soleSenseLanesOf8 = FN( soleSenseInLanes );
-#undef SOLE_WIDTH
-
-#define SOLE_WIDTH 16
-SOLE_BEGIN_AVX512
-#include "base/simd.h"
-#include "base/wide_math.h"
-#include "place/sense_kernel.h"
-SOLE_END_TARGET
-static soleSenseLanesFcn* const soleSenseLanesOf16 = FN( soleSenseInLanes );
-#undef SOLE_WIDTH
-#endif
-
-static soleSenseLanesFcn* soleGetSenseLanes( int32_t width )
-{
-#if SOLE_X86
-	if ( width == 16 || width == 8 )
-	{
-		return width == 16 ? soleSenseLanesOf16 : soleSenseLanesOf8;
-	}
-#endif
-	(void)width;
-	return soleSenseLanesOf4;
-}
+#include "place/kernels.h"
 
 // -------------------------------------------------------------------------------------------------------------- in
 
-static void solePut3( soleSenseRow* rows, int32_t lane, soleVec3 v )
-{
-	rows[0][lane] = v.x;
-	rows[1][lane] = v.y;
-	rows[2][lane] = v.z;
-}
-
 static void solePutSpace( soleSenseSpace* space, int32_t lane, soleTransform t )
 {
-	solePut3( space->place, lane, t.translation );
+	solePutRow3( space->place, lane, t.translation );
 	space->turn[0][lane] = t.rotation.x;
 	space->turn[1][lane] = t.rotation.y;
 	space->turn[2][lane] = t.rotation.z;
 	space->turn[3][lane] = t.rotation.w;
-	solePut3( space->scale, lane, t.scale );
+	solePutRow3( space->scale, lane, t.scale );
 }
 
 static void solePutCharacter( soleSenseLanes* f, int32_t lane, const solePlaceWork* work )
 {
 	solePutSpace( &f->root, lane, soleRootSpace( work ) );
-	solePut3( f->up, lane, work->up );
-	solePut3( f->level, lane, work->level );
-	solePut3( f->rootUp, lane, work->rootUp );
-	solePut3( f->floor, lane, work->floor );
+	solePutRow3( f->up, lane, work->up );
+	solePutRow3( f->level, lane, work->level );
+	solePutRow3( f->rootUp, lane, work->rootUp );
+	solePutRow3( f->floor, lane, work->floor );
 	f->rootScale[lane] = work->rootScale;
 	for ( int32_t k = 0; k < work->rig->slotCount; ++k )
 	{
@@ -79,18 +33,14 @@ static void solePutCharacter( soleSenseLanes* f, int32_t lane, const solePlaceWo
 
 // -------------------------------------------------------------------------------------------------------------- out
 
-static soleVec3 soleGet3( soleSenseRow* rows, int32_t lane )
-{
-	return soleVec( rows[0][lane], rows[1][lane], rows[2][lane] );
-}
-
 static void soleTakeCharacter( soleSenseLanes* f, int32_t lane, solePlaceWork* work )
 {
 	for ( int32_t k = 0; k < work->rig->slotCount; ++k )
 	{
 		soleSenseSpace* space = f->slots + k;
 		soleQuat turn = { space->turn[0][lane], space->turn[1][lane], space->turn[2][lane], space->turn[3][lane] };
-		work->slots[k] = ( soleTransform ){ soleGet3( space->place, lane ), turn, soleGet3( space->scale, lane ) };
+		work->slots[k] =
+		    ( soleTransform ){ soleGetRow3( space->place, lane ), turn, soleGetRow3( space->scale, lane ) };
 	}
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
@@ -98,13 +48,13 @@ static void soleTakeCharacter( soleSenseLanes* f, int32_t lane, solePlaceWork* w
 		soleSenseFoot* foot = f->feet + i;
 		soleTakeSlots( work, leg );
 		leg->usable = foot->usable[lane] != 0;
-		leg->ankle = soleGet3( foot->ankle, lane );
+		leg->ankle = soleGetRow3( foot->ankle, lane );
 		leg->joints[leg->ankleIndex] = leg->ankle;
 		leg->length = foot->length[lane];
-		leg->heel = soleGet3( foot->heel, lane );
-		leg->ball = soleGet3( foot->ball, lane );
+		leg->heel = soleGetRow3( foot->heel, lane );
+		leg->ball = soleGetRow3( foot->ball, lane );
 		leg->pivot = soleGetPivot( work, leg );
-		leg->forward = soleGet3( foot->forward, lane );
+		leg->forward = soleGetRow3( foot->forward, lane );
 		leg->heelRise = foot->heelRise[lane];
 		leg->ballRise = foot->ballRise[lane];
 		leg->sunk = foot->sunk[lane];
@@ -126,10 +76,10 @@ void soleSenseAll( solePlaceWork* const* works, int32_t count, int32_t width )
 	}
 	soleSenseLanes lanes;
 	lanes.rig = rig;
-	for ( int32_t first = 0; first < count; first += SOLE_SENSE_LANES )
+	for ( int32_t first = 0; first < count; first += SOLE_LANES )
 	{
-		int32_t used = soleMinI( count - first, SOLE_SENSE_LANES );
-		int32_t end = ( used + width - 1 ) / width * width;
+		int32_t used = soleMinI( count - first, SOLE_LANES );
+		int32_t end = soleWholeLanes( used, width );
 		for ( int32_t lane = 0; lane < end; ++lane )
 		{
 			// Lanes that are not used go along with the first.

@@ -4,28 +4,24 @@
 #ifndef SOLE_PLACE_SENSE_WIDE_H
 #define SOLE_PLACE_SENSE_WIDE_H
 
-#include "place/place.h"
+#include "place/rows.h"
 
-#define SOLE_SENSE_LANES 16
 /// Rigs of more slots or legs are sensed one by one.
 #define SOLE_SENSE_SLOTS 24
 #define SOLE_SENSE_LEGS 4
 
-/// One number of each character.
-typedef float soleSenseRow[SOLE_SENSE_LANES];
-
 /// A transform, number by number.
 typedef struct soleSenseSpace
 {
-	soleSenseRow place[3], turn[4], scale[3];
+	soleRow place[3], turn[4], scale[3];
 } soleSenseSpace;
 
 /// What is sensed of a leg beside its slots.
 typedef struct soleSenseFoot
 {
-	soleSenseRow ankle[3], heel[3], ball[3], forward[3];
-	soleSenseRow length, heelRise, ballRise, sunk, toeSunk;
-	uint32_t usable[SOLE_SENSE_LANES];
+	soleRow ankle[3], heel[3], ball[3], forward[3];
+	soleRow length, heelRise, ballRise, sunk, toeSunk;
+	uint32_t usable[SOLE_LANES];
 } soleSenseFoot;
 
 typedef struct soleSenseLanes
@@ -34,7 +30,7 @@ typedef struct soleSenseLanes
 
 	// In.
 	soleSenseSpace root; // at the origin
-	soleSenseRow up[3], level[3], rootUp[3], floor[3], rootScale;
+	soleRow up[3], level[3], rootUp[3], floor[3], rootScale;
 	// As animated, in the space of their parents; out: in that of the root.
 	soleSenseSpace slots[SOLE_SENSE_SLOTS];
 

@@ -1,40 +1,14 @@
-// SPDX-License-Identifier: MIT
+// SPDSOLE_LANES-License-Identifier: MIT
 // Targets of target.c for many lanes at once. Included after base/simd.h and base/wide_math.h, once for each width. The
 // formulas and their names are those of target.c.
 
-static inline soleLanes3 FN( soleGoal3 )( soleTargetRow* rows, int32_t i )
-{
-	return ( soleLanes3 ){ soleWide_Load( rows[0] + i ), soleWide_Load( rows[1] + i ), soleWide_Load( rows[2] + i ) };
-}
-
-static inline soleLanes4 FN( soleGoal4 )( soleTargetRow* rows, int32_t i )
-{
-	return ( soleLanes4 ){ soleWide_Load( rows[0] + i ), soleWide_Load( rows[1] + i ), soleWide_Load( rows[2] + i ),
-		soleWide_Load( rows[3] + i ) };
-}
-
-static inline void FN( soleKeepGoal3 )( soleTargetRow* rows, int32_t i, soleLanes3 v )
-{
-	soleWide_Store( rows[0] + i, v.x );
-	soleWide_Store( rows[1] + i, v.y );
-	soleWide_Store( rows[2] + i, v.z );
-}
-
-static inline void FN( soleKeepGoal4 )( soleTargetRow* rows, int32_t i, soleLanes4 q )
-{
-	soleWide_Store( rows[0] + i, q.x );
-	soleWide_Store( rows[1] + i, q.y );
-	soleWide_Store( rows[2] + i, q.z );
-	soleWide_Store( rows[3] + i, q.w );
-}
-
 /// The place on the plane, along up.
-static inline soleLanes3 FN( soleDropOnPlane )( soleTargetLanes* f, int32_t i, soleLanes3 place )
+SOLE_INLINE soleLanes3 FN( soleDropOnPlane )( soleTargetLanes* f, int32_t i, soleLanes3 place )
 {
-	soleLanes3 up = FN( soleGoal3 )( f->up, i ), point = FN( soleGoal3 )( f->planePoint, i );
+	soleLanes3 up = FN( soleRow3 )( f->up, i ), point = FN( soleRow3 )( f->planePoint, i );
 	soleLanes3 level = FN( soleReject3 )( FN( soleSub3 )( place, point ), up );
 	soleWide height =
-	    ADD( FN( soleDot3 )( point, up ), FN( soleDot3 )( FN( soleGoal3 )( f->planeGradient, i ), level ) );
+	    ADD( FN( soleDot3 )( point, up ), FN( soleDot3 )( FN( soleRow3 )( f->planeGradient, i ), level ) );
 	return FN( soleMulAdd3 )( FN( soleReject3 )( place, up ), height, up );
 }
 
@@ -46,28 +20,28 @@ typedef struct FN( soleCarry )
 	soleLanes4 flat;   // before
 } FN( soleCarry );
 
-static inline FN( soleCarry ) FN( soleFindCarry )( soleTargetLanes* f, int32_t i )
+SOLE_INLINE FN( soleCarry ) FN( soleFindCarry )( soleTargetLanes* f, int32_t i )
 {
-	soleLanes3 up = FN( soleGoal3 )( f->up, i ), forward = FN( soleGoal3 )( f->forward, i );
-	soleLanes4 turn = FN( soleGoal4 )( f->turn, i );
-	soleLanes4 tilt = FN( soleFromTo4 )( up, FN( soleGoal3 )( f->planeNormal, i ), forward );
-	soleLanes4 upright = FN( soleFromTo4 )( FN( soleGoal3 )( f->rootUp, i ), up, forward );
+	soleLanes3 up = FN( soleRow3 )( f->up, i ), forward = FN( soleRow3 )( f->forward, i );
+	soleLanes4 turn = FN( soleRow4 )( f->turn, i );
+	soleLanes4 tilt = FN( soleFromTo4 )( up, FN( soleRow3 )( f->planeNormal, i ), forward );
+	soleLanes4 upright = FN( soleFromTo4 )( FN( soleRow3 )( f->rootUp, i ), up, forward );
 	soleLanes4 toeOut = FN( soleWideHalfRotation )( up, FN( soleWideHalfFromAngle )( soleWide_Load( f->toeOut + i ) ) );
 	soleLanes4 turned = FN( soleMul4 )( turn, FN( soleMul4 )( toeOut, upright ) );
-	soleLanes3 side = FN( soleRotate3 )( FN( soleGoal4 )( f->foot, i ), FN( soleGoal3 )( f->footSide, i ) );
+	soleLanes3 side = FN( soleRotate3 )( FN( soleRow4 )( f->foot, i ), FN( soleRow3 )( f->footSide, i ) );
 	soleLanesHalf flat = FN( soleWideHalfFromAngle )( soleWide_Load( f->flat + i ) );
 	return ( FN( soleCarry ) ){ FN( soleMul4 )( tilt, FN( soleMul4 )( turn, upright ) ), FN( soleMul4 )( tilt, turned ),
 		FN( soleWideHalfRotation )( side, flat ) };
 }
 
-static inline void FN( soleSetLaneTargets )( soleTargetLanes* f, int32_t i )
+SOLE_INLINE void FN( soleSetLaneTargets )( soleTargetLanes* f, int32_t i )
 {
 	FN( soleCarry ) carry = FN( soleFindCarry )( f, i );
-	soleLanes3 q = FN( soleGoal3 )( f->anchor, i ), normal = FN( soleGoal3 )( f->planeNormal, i );
-	soleLanes3 goal = FN( soleDropOnPlane )( f, i, FN( soleGoal3 )( f->anchorGoal, i ) );
+	soleLanes3 q = FN( soleRow3 )( f->anchor, i ), normal = FN( soleRow3 )( f->planeNormal, i );
+	soleLanes3 goal = FN( soleDropOnPlane )( f, i, FN( soleRow3 )( f->anchorGoal, i ) );
 	goal = FN( soleMulAdd3 )( goal, soleWide_Load( f->raise + i ), normal );
-	soleLanes3 animated = FN( soleGoal3 )( f->ankle, i ), about = FN( soleGoal3 )( f->pivot, i );
-	soleLanes4 foot = FN( soleGoal4 )( f->foot, i );
+	soleLanes3 animated = FN( soleRow3 )( f->ankle, i ), about = FN( soleRow3 )( f->pivot, i );
+	soleLanes4 foot = FN( soleRow4 )( f->foot, i );
 	soleLanes3 arm = FN( soleAdd3 )(
 	    FN( soleSub3 )( about, q ), FN( soleRotate3 )( carry.flat, FN( soleSub3 )( animated, about ) ) );
 	soleLanes3 ankle = FN( soleAdd3 )( goal, FN( soleRotate3 )( carry.image, arm ) );
@@ -76,14 +50,14 @@ static inline void FN( soleSetLaneTargets )( soleTargetLanes* f, int32_t i )
 	soleLanes4 wanted = FN( soleMul4 )( carry.turned, FN( soleMul4 )( carry.flat, foot ) );
 
 	soleWide weight = soleWide_Load( f->weight + i );
-	FN( soleKeepGoal4 )( f->image, i, carry.turned );
-	FN( soleKeepGoal3 )( f->ankleWanted, i, ankle );
-	FN( soleKeepGoal3 )
+	FN( soleKeep4 )( f->image, i, carry.turned );
+	FN( soleKeep3 )( f->ankleWanted, i, ankle );
+	FN( soleKeep3 )
 	( f->ankleTarget, i, FN( soleMulAdd3 )( animated, weight, FN( soleSub3 )( ankle, animated ) ) );
-	FN( soleKeepGoal3 )( f->pivotTarget, i, FN( soleMulAdd3 )( about, weight, FN( soleSub3 )( pivot, about ) ) );
-	FN( soleKeepGoal4 )( f->footTarget, i, FN( soleNlerp4 )( foot, wanted, soleWide_Load( f->turnWeight + i ) ) );
-	soleLanes3 under = FN( soleAdd3 )( FN( soleDropOnPlane )( f, i, ankle ), FN( soleGoal3 )( f->root_w, i ) );
-	FN( soleKeepGoal3 )( f->planePoint_w, i, under );
+	FN( soleKeep3 )( f->pivotTarget, i, FN( soleMulAdd3 )( about, weight, FN( soleSub3 )( pivot, about ) ) );
+	FN( soleKeep4 )( f->footTarget, i, FN( soleNlerp4 )( foot, wanted, soleWide_Load( f->turnWeight + i ) ) );
+	soleLanes3 under = FN( soleAdd3 )( FN( soleDropOnPlane )( f, i, ankle ), FN( soleRow3 )( f->root_w, i ) );
+	FN( soleKeep3 )( f->planePoint_w, i, under );
 }
 
 static void FN( soleSetTargetLanes )( soleTargetLanes* f, int32_t end )

@@ -4,30 +4,25 @@
 #ifndef SOLE_PLACE_TARGET_WIDE_H
 #define SOLE_PLACE_TARGET_WIDE_H
 
-#include "place/place.h"
-
-#define SOLE_TARGET_LANES 32
-
-/// One number of each leg.
-typedef float soleTargetRow[SOLE_TARGET_LANES];
+#include "place/rows.h"
 
 typedef struct soleTargetLanes
 {
 	int32_t count;
-	const solePlaceWork* works[SOLE_TARGET_LANES]; // whose legs they are
-	soleLegWork* legs[SOLE_TARGET_LANES];
+	const solePlaceWork* works[SOLE_LANES]; // whose legs they are
+	soleLegWork* legs[SOLE_LANES];
 
 	// In.
-	soleTargetRow up[3], rootUp[3], forward[3], root_w[3];
-	soleTargetRow planePoint[3], planeNormal[3], planeGradient[3];
-	soleTargetRow anchor[3], anchorGoal[3], raise; // raise: of the sole over the plane
-	soleTargetRow turn[4], toeOut, flat;           // toeOut, flat: angles
-	soleTargetRow pivot[3], ankle[3], foot[4], footSide[3];
-	soleTargetRow weight, turnWeight;
+	soleRow up[3], rootUp[3], forward[3], root_w[3];
+	soleRow planePoint[3], planeNormal[3], planeGradient[3];
+	soleRow anchor[3], anchorGoal[3], raise; // raise: of the sole over the plane
+	soleRow turn[4], toeOut, flat;           // toeOut, flat: angles
+	soleRow pivot[3], ankle[3], foot[4], footSide[3];
+	soleRow weight, turnWeight;
 
 	// Out.
-	soleTargetRow image[4], footTarget[4];
-	soleTargetRow ankleWanted[3], ankleTarget[3], pivotTarget[3], planePoint_w[3];
+	soleRow image[4], footTarget[4];
+	soleRow ankleWanted[3], ankleTarget[3], pivotTarget[3], planePoint_w[3];
 } soleTargetLanes;
 
 /// Lanes [0, end). All hold numbers.
