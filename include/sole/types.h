@@ -486,6 +486,7 @@ typedef struct soleLegState
 	soleOffset3 gradient;   // what is left of slope changes
 	float heelRise;         // their heights over the clip's floor
 	float ballRise;
+	soleVec3 limitTurn;   // what the ankle's range of motion turns the foot by, in its own axes: sines of half angles
 	soleOffset1 flat;     // by how much a heel that its clip leaves off the floor is turned down, rad
 	float positionWeight; // as far as blended in
 	float rotationWeight;
@@ -509,6 +510,7 @@ typedef struct soleState
 	float bodyGround;       // height of that ground over the root
 	soleVec3 bodyGradient;  // its slope, horizontal
 	float pelvisHeldTime;   // for how long it had not to, s
+	float standing;         // 1 all feet have been down for a while .. 0 not
 	float unmetTime;        // for how long nothing was met, s
 	double worldOrigin[3];
 	int32_t internalValue;
