@@ -26,8 +26,8 @@ static soleLimbGoal randomGoal( uint32_t* seed, const soleTransform* pose, float
 {
 	testPlace upper = testFindPlace( pose, test_upper );
 	float length = testRandomFloat( seed, low, high ) * (float)bonesOf( pose );
-	return ( soleLimbGoal ){ soleMulAdd( testAt( &upper ), length, testRandomDirection( seed ) ), testRandomTurn( seed ),
-		1.0f, 1.0f };
+	return ( soleLimbGoal ){ soleMulAdd( testAt( &upper ), length, testRandomDirection( seed ) ),
+		testRandomTurn( seed ), 1.0f, 1.0f };
 }
 
 static soleLimbResult solveOn(

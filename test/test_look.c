@@ -356,7 +356,8 @@ static void degenerateTargetsPassThePoseThrough( void** state )
 		makePose( &seed, pose );
 		def.eyes_l = i % 2 == 0 ? soleVec( 0.0f, 0.0f, 0.0f ) : eyes_l;
 		testPlace head = testFindPlace( pose, test_end );
-		soleVec3 target = soleMulAdd( testAt( &head ), testRandomFloat( &seed, 0.0f, 0.1f ), testRandomDirection( &seed ) );
+		soleVec3 target =
+		    soleMulAdd( testAt( &head ), testRandomFloat( &seed, 0.0f, 0.1f ), testRandomDirection( &seed ) );
 		soleLookResult result = soleSolveLookAt( &def, pose, i < 10 ? testAt( &head ) : target, 1.0f );
 		for ( int32_t k = 0; k < 3; ++k )
 		{

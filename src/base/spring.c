@@ -12,6 +12,9 @@
 
 #define HALF_PHASE 1.678347f // y t at which half of a resting error is left
 #define SETTLED 20.0f        // y t beyond which nothing is left
+// What is less than this, in any unit, is nothing. Left to themselves springs would end in numbers so small that they
+// decay no more, as half of the least rounds to itself, and that a processor takes many times as long for.
+#define NOTHING 1e-30f
 
 soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, float halfLife, float timeStep )
 {
@@ -34,10 +37,14 @@ soleOffset1 soleStepSpring( soleOffset1 spring, float goal, float goalVelocity, 
 	float error = value - goal;
 	float relative = velocity - goalVelocity;
 	float a = relative + y * error;
-	return ( soleOffset1 ){
-		soleFiniteOr( ( error + a * t ) * decay + movedGoal, movedGoal ),
-		soleFiniteOr( ( relative - y * a * t ) * decay + goalVelocity, goalVelocity ),
-	};
+	error = ( error + a * t ) * decay;
+	relative = ( relative - y * a * t ) * decay;
+	if ( fabsf( error ) < NOTHING && fabsf( relative ) < NOTHING )
+	{
+		return ( soleOffset1 ){ movedGoal, goalVelocity };
+	}
+	return ( soleOffset1 ){ soleFiniteOr( error + movedGoal, movedGoal ),
+		soleFiniteOr( relative + goalVelocity, goalVelocity ) };
 }
 
 soleOffset1 soleDecayOffset1( soleOffset1 offset, float halfLife, float timeStep )
