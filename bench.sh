@@ -108,7 +108,7 @@ stages()
 	local names
 	names=$( sed -n 's/^void \(sole[A-Za-z]*\)( solePlaceWork\* work.*/\1/p' src/place/place.h | sort -u )
 	valgrind --tool=callgrind --callgrind-out-file=$build/solve.callgrind --toggle-collect=benchCounted \
-		$bench --count biped-solve > $build/solve.log 2>&1
+		$bench --count biped-solve/sole > $build/solve.log 2>&1
 	callgrind_annotate --inclusive=yes --threshold=100 $build/solve.callgrind | awk -v names="$names" '
 		BEGIN { n = split( names, list ); for ( i = 1; i <= n; ++i ) { wanted[list[i]] = 1 } }
 		match( $0, /:sole[A-Za-z]*/ ) {
