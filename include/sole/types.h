@@ -386,7 +386,8 @@ typedef struct soleFrame
 	/// Set when the character was moved by a jump that is no motion: all memory of the last frame is dropped.
 	bool teleport;
 	/// Where the origin of this frame's world coordinates is, in the host's own large world. A host without one leaves
-	/// it at zero. May change from frame to frame: what Sole remembers is moved along.
+	/// it at zero. May change from frame to frame, to the root itself even: what Sole remembers is moved along. Root,
+	/// hits and supports are told from it: to be subtracted in double, before they become floats.
 	double worldOrigin[3];
 } soleFrame;
 
