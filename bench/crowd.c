@@ -2,6 +2,7 @@
 // A frame of a crowd by the calls of crowd.h: every character's root put on the ground, probes gathered, cast into
 // 100,000 triangles and the feet placed, a range of characters after the other as a host's jobs would. Each level of
 // detail, every frame and every fourth, by one thread and by two. Both take ranges from one counter until none is left.
+// And one crowd over grounds from a plane to a million triangles.
 #include "walkers.h"
 
 #include "sole/crowd.h"
@@ -15,7 +16,8 @@
 #define RANGE 64 // characters of a job
 #define WARM_FRAMES 4
 #define COUNTED_CHARACTERS 100
-#define SPIN_STEPS 4000000 // takes as long as a few thousand characters
+#define GROUNDS_CHARACTERS 1000 // over each kind of ground
+#define SPIN_STEPS 4000000      // takes as long as a few thousand characters
 
 static const char* const benchThreadNames[] = { "1-thread", "2-threads" };
 
@@ -26,6 +28,7 @@ typedef struct benchHerdKind
 	soleDetail detail;
 	int32_t interval;
 	int32_t count;
+	int64_t groundSize; // triangles. 0: a plane
 	// One crowd for all that time it: two of 100,000 at a time would be too much.
 	benchHerd* herd;
 	int32_t userCount;
@@ -159,7 +162,7 @@ static benchHerd* benchMakeHerd( const benchHerdKind* kind )
 {
 	benchHerd* herd = benchAlloc( 1, sizeof *herd );
 	herd->walk = benchGetWalk();
-	herd->ground = benchMakeWalkGround( GROUND_SIZE );
+	herd->ground = benchMakeWalkGround( kind->groundSize );
 	herd->crowd = benchMakeCrowd( herd->walk, kind->count );
 	herd->count = kind->count;
 	for ( int32_t i = 0; i < kind->count; ++i )
@@ -287,9 +290,8 @@ static void benchAddSpin( benchList* list )
 
 // ------------------------------------------------------------------------------------------------------------ adding
 
-static void benchAddHerd( benchList* list, const char* stem, benchHerdKind kind )
+static void benchAddHerd( benchList* list, const char* name, benchHerdKind kind )
 {
-	const char* name = benchName( stem, kind.count );
 	benchHerdKind* kept = benchAlloc( 1, sizeof *kept ); // as long as the list
 	*kept = kind;
 	// One range is nothing to share.
@@ -331,9 +333,18 @@ void benchAddCrowds( benchList* list, int64_t largest )
 	{
 		for ( int32_t count = 1; count <= 100000 && count <= largest; count *= count == 1 ? 100 : 10 )
 		{
-			benchAddHerd( list, kinds[i].stem,
-			    ( benchHerdKind ){ .detail = kinds[i].detail, .interval = kinds[i].interval, .count = count } );
+			benchAddHerd( list, benchName( kinds[i].stem, count ),
+			    ( benchHerdKind ){ .detail = kinds[i].detail,
+			        .interval = kinds[i].interval,
+			        .count = count,
+			        .groundSize = GROUND_SIZE } );
 		}
+	}
+	for ( int64_t size = 0; size <= 1000000 && size <= largest; size = size == 0 ? 10000 : 10 * size )
+	{
+		benchAddHerd( list, size == 0 ? "crowd-on-plane" : benchName( "crowd-on", size ),
+		    ( benchHerdKind ){
+		        .detail = sole_detailFull, .interval = 1, .count = GROUNDS_CHARACTERS, .groundSize = size } );
 	}
 	benchAddSpin( list );
 	benchAdd( list,

@@ -57,9 +57,15 @@ static soleOffset1 soleStepBy( soleSpringStep step, soleOffset1 spring, float go
 	float error = value - goal;
 	float relative = velocity - goalVelocity;
 	float a = relative + step.y * error;
+	error = ( error + a * t ) * step.decay;
+	relative = ( relative - step.y * a * t ) * step.decay;
+	if ( soleMaxF( error, -error ) < NOTHING && soleMaxF( relative, -relative ) < NOTHING )
+	{
+		return ( soleOffset1 ){ movedGoal, goalVelocity };
+	}
 	return ( soleOffset1 ){
-		soleFiniteOr( ( error + a * t ) * step.decay + movedGoal, movedGoal ),
-		soleFiniteOr( ( relative - step.y * a * t ) * step.decay + goalVelocity, goalVelocity ),
+		soleFiniteOr( error + movedGoal, movedGoal ),
+		soleFiniteOr( relative + goalVelocity, goalVelocity ),
 	};
 }
 

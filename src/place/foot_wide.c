@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Legs and ankles of several characters at once: what their stages take is laid out in lanes, a leg a lane, the kernel
 // of foot_kernel.h goes over them, and what it finds goes back. Legs of another build than hip, knee, ankle and toes go
-// one by one, as do those of which a setting wants more, and after the legs those ankles that come near their limits.
+// one by one, as do those of which a setting wants more, and after the legs those ankles that come near their limits,
+// or are still turned by them.
 #include "place/foot_wide.h"
 
 #include "place/kernels.h"
@@ -86,7 +87,9 @@ static void soleTakeLane( soleFootLanes* f, int32_t lane )
 	leg->hipTurn = soleGetRow4( f->hipTurn, lane );
 	leg->kneeTurn = soleGetRow4( f->kneeTurn, lane );
 	soleTakeLeg( work, leg, soleVec( f->reached[0][lane], f->reached[1][lane], f->reached[2][lane] ), f->flags[lane] );
-	if ( f->within[lane] == 0 && leg->weight > 0.0f )
+	soleVec3 turned = leg->state->limitTurn;
+	bool kept = turned.x != 0.0f || turned.y != 0.0f || turned.z != 0.0f;
+	if ( ( f->within[lane] == 0 || kept ) && leg->weight > 0.0f )
 	{
 		soleFinishAnkle( work, leg );
 		return;

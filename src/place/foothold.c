@@ -10,28 +10,19 @@
 // its rank unless another is better by MUCH; near the end it is settled. The foot travels there in flight, on the way
 // of way.c: it need not slide once it is down.
 //
-// Standing. A foot that comes down stands on what was foreseen until it is held; then its ground is read closely, once,
-// and that plane is kept until what is met under the foot changes.
-//
-// A foot that is not foreseen follows the ground under it. It has to pass over what comes: where the ground that its
-// toes will be over soon is higher than its plane, the plane is raised by as much. What rises gently is no obstacle.
+// A foot that is not on such a way has the plane of footing.c.
 //
 // Either way what differs between the ground as the last frame had it and as it is now is inertialised: kept as an
 // offset that decays. Slopes pass without lag, since the old plane already foretold them; steps are taken up softly by
 // a foot in flight, quickly by a planted one.
+#include "place/footing.h"
 #include "place/rest.h"
 #include "place/way.h"
 
-#define GENTLE 0.5f       // rise per length
 #define RESTEP_LIFT 0.04f // L
 #define MUCH 0.02f        // of cost, by which a place has to be better that is
 #define FAR_OFF 0.05f     // L away from the last choice, or further
-#define MISS_TIME 0.1f    // s
-#define NEAR_BY 0.06f     // L: a foot this near to its foothold has come down on it
 #define UNSHIFTED 0.002f  // L
-#define STEP 0.022f       // L: ground this much higher than was foreseen is another step
-#define CHANGE 0.003f     // L: ground that has moved by more is read anew
-#define FEW 0.34f         // share of the places under a sole
 #define DEPTH 0.0022f     // L
 #define ROOM 0.02f        // L
 #define NARROW 0.3f       // cost of no room at all
@@ -52,7 +43,7 @@ static float soleFindNarrow( const solePlaceWork* work, const soleLegWork* leg, 
 		float beyond =
 		    soleMaxF( u - leg->rig->toeAhead * work->rootScale, -leg->rig->heelBehind * work->rootScale - u );
 		float over = sample->height - solePlaneHeight( work, plane, sample->place );
-		if ( sample->found && beyond > -0.3f * room && beyond < room && over > STEP * leg->length )
+		if ( sample->found && beyond > -0.3f * room && beyond < room && over > SOLE_NEXT_STEP * leg->length )
 		{
 			narrow = soleMaxF( narrow, 1.0f - soleMaxF( beyond, 0.0f ) / room );
 		}
@@ -123,25 +114,6 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 	    soleLength( apart ) < 2.0f * work->settings->foothold.shift * leg->length;
 }
 
-/// The plane that was chosen for a foot.
-static solePlane soleGetChosen( const solePlaceWork* work, const soleLegState* state )
-{
-	soleVec3 gradient = soleGradientOf( work, state->stepNormal_w );
-	return soleMakePlane( work, soleSub( state->stepPlace_w, work->root_w ), gradient );
-}
-
-/// How far a plane is over the one that was met, under the load point of that.
-static float soleHeightOver( const solePlaceWork* work, solePlane met, solePlane plane )
-{
-	return solePlaneHeight( work, plane, met.point ) - soleDot( met.point, work->up );
-}
-
-/// What is met under a foot is the step over its own, and bears little of it.
-static bool soleIsNextStep( const solePlaceWork* work, const soleLegWork* leg, float over, float share )
-{
-	return over < -STEP * leg->length && over > -work->settings->probe.stepUp * leg->length && share < FEW;
-}
-
 /// The foothold is at a place, on the plane that carries the sole there.
 static void soleStandStepOn( const solePlaceWork* work, soleLegWork* leg, soleVec3 place, soleRest rest )
 {
@@ -187,8 +159,7 @@ static void soleReadStep( const solePlaceWork* work, soleLegWork* leg )
 	soleRest rest = soleRestSole( work, leg, soleChosenFootprint( work, leg ), false );
 	if ( rest.found )
 	{
-		solePlane chosen = soleGetChosen( work, leg->state );
-		if ( soleIsNextStep( work, leg, soleHeightOver( work, rest.plane, chosen ), rest.share ) == false )
+		if ( soleMeetsNextStep( work, leg, rest.plane, rest.share ) == false )
 		{
 			soleStandStepOn( work, leg, place, rest );
 		}
@@ -268,27 +239,6 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	leg->out->flags |= (uint32_t)sole_legPlanned;
 }
 
-// ----------------------------------------------------------------------------------------------------- not foreseen
-
-/// How much higher than the plane the ground is that a foot in flight will pass over.
-static float soleFindObstacle( const solePlaceWork* work, const soleLegWork* leg )
-{
-	float obstacle = 0.0f;
-	for ( int32_t i = 0; i < leg->sampleCount && leg->flying; ++i )
-	{
-		const soleGroundSample* sample = leg->samples + i;
-		soleVec3 from = soleSub( sample->place, leg->tip );
-		if ( sample->found && soleDot( from, leg->ballVelocity ) > 0.0f )
-		{
-			float over = sample->height - solePlaneHeight( work, leg->raw, sample->place );
-			float gentle = GENTLE * soleLength( soleHorizontal( work, from ) );
-			over = soleMinF( over, 3.0f * soleMaxF( over - gentle, 0.0f ) );
-			obstacle = soleMaxF( obstacle, soleMinF( over, work->settings->probe.stepUp * leg->length ) );
-		}
-	}
-	return obstacle;
-}
-
 // --------------------------------------------------------------------------------------------------------- the stage
 
 /// What the last frame made of the ground, for where the foot is now.
@@ -316,129 +266,6 @@ static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, so
 {
 	soleVec3 point = soleAtHeight( work, place, solePlaneHeight( work, plane, place ) );
 	return ( soleStand ){ point, point, 1.0f, 1.0f };
-}
-
-/// A foot stands on a plane from now on.
-static void soleSettleOn( const solePlaceWork* work, soleLegWork* leg )
-{
-	soleLegState* state = leg->state;
-	soleVec3 place = soleAtHeight( work, leg->soleCenter, solePlaneHeight( work, leg->raw, leg->soleCenter ) );
-	state->stepPlace_w = soleAdd( place, work->root_w );
-	state->stepNormal_w = leg->raw.normal;
-	state->toeSlope = leg->toeSlope;
-	state->flags |= (uint32_t)sole_stateChosen;
-	state->flags &= ~(uint32_t)sole_stateCompared;
-}
-
-/// A foot that has just come down: on what was foreseen until it is held. Then its ground is asked for closely, and
-/// that is what it stands on, as when the ground has changed under it; but where a toe that just meets a riser, or a
-/// heel, would have it stand on the step over it, it stays on what was foreseen, or on what it stood.
-static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
-{
-	solePlane chosen = soleGetChosen( work, leg->state );
-	float over = soleHeightOver( work, leg->raw, chosen );
-	float missed = soleLength( soleHorizontal( work, soleSub( leg->soleCenter, chosen.point ) ) );
-	bool locked = ( leg->state->flags & sole_stateLocked ) != 0;
-	bool there = missed < NEAR_BY * leg->length;
-	bool stood = ( leg->state->flags & sole_stateCompared ) != 0;
-	if ( foreseen && there && locked == false )
-	{
-		leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
-		leg->toeSlope = leg->state->toeSlope;
-	}
-	else if ( ( foreseen || stood ) && there && soleIsNextStep( work, leg, over, leg->share ) )
-	{
-		soleVec3 point = soleMulAdd( leg->raw.point, over, work->up );
-		leg->raw = soleMakePlane( work, point, chosen.gradient );
-		leg->toeSlope = 0.0f;
-	}
-	if ( locked )
-	{
-		soleSettleOn( work, leg );
-	}
-	else
-	{
-		leg->state->flags |= foreseen ? (uint32_t)sole_stateForeseen : 0u;
-	}
-}
-
-/// A foot that stands keeps its plane until the ground under it changes.
-static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
-{
-	soleLegState* state = leg->state;
-	solePlane chosen = soleGetChosen( work, state );
-	float over = soleHeightOver( work, leg->raw, chosen );
-	// One that falls asleep or wakes up asks for other places: those are compared from then on.
-	bool asleep = ( state->flags & sole_stateAsleep ) != 0;
-	bool compared = ( state->flags & sole_stateCompared ) != 0 && asleep == leg->asleep;
-	state->flags &= ~(uint32_t)sole_stateAsleep;
-	state->flags |= leg->asleep ? (uint32_t)sole_stateAsleep : 0u;
-	float change = over - state->chosenOver;
-	float most = CHANGE * leg->length;
-	if ( leg->hasGround == false || ( compared && ( change > most || change < -most ) ) )
-	{
-		state->flags &= ~(uint32_t)sole_stateChosen;
-		return;
-	}
-	state->chosenOver = compared ? state->chosenOver : over;
-	state->flags |= (uint32_t)sole_stateCompared;
-	leg->raw = soleMakePlane( work, soleMulAdd( leg->raw.point, over, work->up ), chosen.gradient );
-	leg->toeSlope = state->toeSlope;
-}
-
-/// Answers that fail for a moment, while a foot stands, mean nothing: the ground is taken to be where it was.
-static void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePlane old )
-{
-	soleLegState* state = leg->state;
-	bool missed = leg->hasGround == false && leg->foreseen == false && leg->hadGround && leg->touches;
-	state->missTime = missed ? state->missTime + work->timeStep : 0.0f;
-	if ( missed && state->missTime < MISS_TIME )
-	{
-		leg->hasGround = true;
-		leg->missed = true;
-		leg->raw = old;
-		leg->toeSlope = state->toeSlope;
-		leg->surface = state->body.surface;
-		leg->surfaceVelocity = ( state->flags & sole_stateRides ) != 0 ? leg->surfaceVelocity : state->body.place;
-	}
-}
-
-/// What counts as the place of a foot: where it is held or flies; where it was foreseen while it comes down.
-static soleVec3 soleStandPlace( const solePlaceWork* work, const soleLegWork* leg )
-{
-	const soleLegState* state = leg->state;
-	bool coming = ( state->flags & ( sole_stateForeseen | sole_stateLocked ) ) == sole_stateForeseen;
-	return coming ? soleSub( state->stepPlace_w, work->root_w ) : leg->soleCenter;
-}
-
-static void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
-{
-	soleLegState* state = leg->state;
-	const uint32_t chosen = (uint32_t)sole_stateChosen;
-	const uint32_t foreseen = (uint32_t)( sole_statePlanned | sole_stateForeseen );
-	uint32_t flags = state->flags;
-	if ( leg->missed )
-	{
-		return; // all is as it was
-	}
-	state->flags &= ~foreseen;
-	if ( leg->touches == false )
-	{
-		state->flags &= ~chosen;
-	}
-	else if ( ( flags & chosen ) != 0 )
-	{
-		soleStandOn( work, leg );
-	}
-	else if ( leg->hasGround )
-	{
-		soleComeDown( work, leg, ( flags & foreseen ) != 0 );
-	}
-	leg->raw.point = soleMulAdd( leg->raw.point, soleFindObstacle( work, leg ), work->up );
-	soleVec3 place = soleStandPlace( work, leg );
-	place = soleAtHeight( work, place, solePlaneHeight( work, leg->raw, place ) );
-	state->planePoint_w = soleAdd( place, work->root_w );
-	state->planeNormal_w = leg->raw.normal;
 }
 
 /// Keeps what differs between the last frame's plane and this one's, and lets it decay.
