@@ -106,7 +106,7 @@ growth()
 stages()
 {
 	local names
-	names=$( sed -n 's/^void \(sole[A-Za-z]*\)( solePlaceWork\* work.*/\1/p' src/place/place.h | sort -u )
+	names=$( sed -nE 's/^void (sole[A-Za-z]*)\( (const )?solePlaceWork\* work.*/\1/p' src/place/place.h | sort -u )
 	valgrind --tool=callgrind --callgrind-out-file=$build/solve.callgrind --toggle-collect=benchCounted \
 		$bench --count biped-solve/sole > $build/solve.log 2>&1
 	callgrind_annotate --inclusive=yes --threshold=100 $build/solve.callgrind | awk -v names="$names" '
@@ -180,9 +180,10 @@ writePage()
 
 		## Crowds
 
-		By the calls of \`crowd.h\`, 64 characters at a time, roots on the ground included: every level of detail, every
-		frame or every fourth, by one thread and by two that take the next 64 from one counter. The second thread is
-		started anew in every frame, which takes some 60 us: a host that keeps its threads does better where they are few.
+		By the calls of \`crowd.h\`, 64 characters at a time with a work area, roots on the ground included: every level of
+		detail, every frame or every fourth, by one thread and by two that take the next 64 from one counter. What all
+		legs go through goes through wide kernels, as wide as the machine has them. The second thread is started anew in
+		every frame, which takes some 60 us: a host that keeps its threads does better where they are few.
 
 		$( pivot '^crowd-[fh]' )
 

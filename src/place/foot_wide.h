@@ -38,8 +38,7 @@ typedef struct soleFootLanes
 /// Lanes [0, end) of which the first count are of use. All hold numbers.
 typedef void soleFootLanesFcn( soleFootLanes* lanes, int32_t end );
 
-/// Legs and ankles of several characters, whose stages before are done: what soleSolveLegs(), soleLimitAnkles(),
-/// soleSolveLimitedLegs() and soleAlignAnkles() give for each.
+/// Legs and ankles of several characters, whose stages before are done: what soleFinishLeg() gives for each leg.
 void soleFinishLegs( solePlaceWork* const* works, int32_t count, int32_t width );
 
 #endif

@@ -56,9 +56,12 @@ static float soleFindCeiling( const solePlaceWork* work, const soleLegWork* leg,
 {
 	float flat = soleOffsetFor( work, leg, leg->ankleTarget, longest );
 	float angle = work->settings->leg.heelLift * share;
-	soleVec3 side = soleRotate( leg->footTarget, leg->rig->footSide );
-	soleQuat roll = soleHalfRotation( side, soleHalfFromAngle( -angle ) );
-	soleVec3 arm = soleRotate( roll, soleSub( leg->ankleTarget, leg->pivotTarget ) );
+	soleVec3 arm = soleSub( leg->ankleTarget, leg->pivotTarget );
+	if ( angle > 0.0f )
+	{
+		soleVec3 side = soleRotate( leg->footTarget, leg->rig->footSide );
+		arm = soleRotate( soleHalfRotation( side, soleHalfFromAngle( -angle ) ), arm );
+	}
 	return soleMaxF( flat, soleOffsetFor( work, leg, soleAdd( leg->pivotTarget, arm ), longest ) );
 }
 
