@@ -273,7 +273,7 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 {
 	bool usable = rig != NULL && state != NULL && frame != NULL && ( probes != NULL || capacity <= 0 );
 	SOLE_ASSERT( usable );
-	if ( usable == false || !soleIsFrameUsable( frame ) )
+	if ( usable == false || capacity <= 0 || !soleIsFrameUsable( frame ) )
 	{
 		return 0;
 	}
@@ -298,7 +298,7 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 			first[k].index = (int16_t)k;
 		}
 	}
-	return count > 0 ? count : 0;
+	return count;
 }
 
 void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
