@@ -305,6 +305,10 @@ export interface Output {
 	readonly groundOffset: number;
 	/** For how long no probe has met anything, s. */
 	readonly unmetTime: number;
+	/** What the character is doing: 0 stands, 1 moves, 2 runs, 3 is in the air. */
+	readonly activity: number;
+	/** How much of the placement the settings of activity leave for that. */
+	readonly strength: number;
 }
 
 export interface Mark {

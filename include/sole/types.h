@@ -239,6 +239,16 @@ typedef struct soleSettings
 
 	struct
 	{
+		float slow;     // up to this speed of the root the placement is whole. L/s [0, 40] default 2.5
+		float fast;     // from this one on the character runs. L/s [0, 40] default 4.5
+		float running;  // share of the placement that is left then. [0, 1] default 1
+		float low;      // up to this height of all soles over their ground it is whole. L [0, 2] default 0.2
+		float high;     // from this one on the character is in the air. L [0, 2] default 0.4
+		float airborne; // share that is left then. [0, 1] default 1
+	} activity;
+
+	struct
+	{
 		solePelvisFollow follow; // which feet it goes with. [0, 2] default 0, the steps
 		solePelvisMode mode;     // who moves it. [0, 2] default 0, its joint
 		float down;              // furthest down. L [0, 1] default 0.45
@@ -509,6 +519,7 @@ typedef struct soleState
 	float bodyGround;       // height of that ground over the root
 	soleVec3 bodyGradient;  // its slope, horizontal
 	float pelvisHeldTime;   // for how long it had not to, s
+	float strength;         // of the placement, by what the character is doing
 	float unmetTime;        // for how long nothing was met, s
 	double worldOrigin[3];
 	int32_t internalValue;
@@ -540,6 +551,16 @@ typedef enum soleLegFlags
 	sole_legAsleep = 1 << 17,      // the foot asks one probe alone
 	sole_legFlagsForce32 = 0x7fffffff
 } soleLegFlags;
+
+/// What the character is doing as a whole.
+typedef enum soleActivity
+{
+	sole_standing = 0, // its root does not move
+	sole_moving = 1,   // slowly
+	sole_running = 2,  // or faster than settings.activity.fast
+	sole_airborne = 3, // no sole is near its ground
+	sole_activityForce32 = 0x7fffffff
+} soleActivity;
 
 /// The new pose of one leg and what is worth knowing about it.
 typedef struct soleLegOutput
@@ -594,6 +615,9 @@ typedef struct soleOutput
 	/// For how long no probe of any leg has met anything, s. What grows from the first frame on is no gap in the
 	/// ground: a mask, a layer or a cast is wrong.
 	float unmetTime;
+	/// What the character is doing, and how much of the placement settings.activity leaves for that. [0, 1]
+	soleActivity activity;
+	float strength;
 	/// Legs that are filled in.
 	int32_t legCount;
 	soleLegOutput legs[SOLE_MAX_LEGS];

@@ -131,6 +131,7 @@ static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
 	soleFindSupport( work, hits );
 	SOLE_STAGE_END( "support" );
 	soleUpdateContact( work );
+	soleFindActivity( work );
 	soleLearnSteps( work );
 	SOLE_STAGE_END( "contact" );
 	soleTakeResteps( work );

@@ -29,7 +29,9 @@ enum
 	sole_stateTooLow = 1 << 12,  // which was out of reach
 	sole_stateTooHigh = 1 << 13,
 	sole_stateTooSteep = 1 << 14,
-	sole_stateAsleep = 1 << 15, // one probe was asked for
+	sole_stateAsleep = 1 << 15,  // one probe was asked for
+	sole_stateRunning = 1 << 16, // what the character does, the same in all legs
+	sole_stateAirborne = 1 << 17,
 };
 
 /// What the ground is like at one place that was asked for.
@@ -295,6 +297,12 @@ static inline float soleLongestRigLeg( const solePlaceWork* work )
 	return longest * work->rootScale;
 }
 
+/// Its root goes on: not exactly zero, which no measured speed is.
+static inline bool soleIsMoving( const solePlaceWork* work )
+{
+	return work->rootSpeed > 0.01f * soleLongestRigLeg( work ); // per second
+}
+
 /// Sine of the flexion below which the rig's hinge is leaned on.
 #define SOLE_NEARLY_STRAIGHT 0.05f
 
@@ -382,6 +390,8 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 void soleFindSupport( solePlaceWork* work, const soleLegHits* hits );
 /// Which part of the foot is on the ground, and since when.
 void soleUpdateContact( solePlaceWork* work );
+/// What the character is doing, and how strongly its feet are placed for that.
+void soleFindActivity( solePlaceWork* work );
 /// How long a step took and where it went, for the next.
 void soleLearnSteps( solePlaceWork* work );
 /// Feet that stand but have been left behind step over.
