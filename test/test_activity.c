@@ -214,6 +214,7 @@ static void theFlightOfARunIsNoJump( void** state )
 		{
 			soleVec3 ball = soleRig_GetLeg( run.biped.rig, leg ).sole.ball;
 			float until = 0.3f - (float)i / 60.0f;
+			ball.z += 3.0f * until;
 			steps[leg] =
 			    ( soleStepInput ){ (float)i / 60.0f, until, ball, { 0.0f, 0.0f, 1.0f }, { 0.0f, 0.0f, 3.0f * until } };
 		}
