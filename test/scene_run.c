@@ -92,6 +92,7 @@ void testOpenActor( testActor* actor, void ( *change )( toolModel* model ) )
 	static const char* const names[sole_gaitCount] = { "idle", "walk", "run", "strafe", "crouch", "crouch_walk" };
 	toolError error = { { 0 } };
 	memset( actor, 0, sizeof *actor );
+	actor->settings = soleDefaultSettings();
 	toolModel made;
 	toolMakeMannequin( &made );
 	if ( change != NULL )
@@ -153,7 +154,7 @@ static testHost* testStartHost( const testRun* run )
 	testHost* host = calloc( 1, sizeof *host );
 	assert_non_null( host );
 	host->state = soleDefaultState( run->actor->character.rig );
-	host->settings = soleDefaultSettings();
+	host->settings = run->actor->settings;
 	host->settings.probe.mask = TEST_FEET_LAYERS;
 	return host;
 }

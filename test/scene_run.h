@@ -37,6 +37,7 @@ typedef struct testActor
 	toolBoundClip clips[sole_gaitCount];
 	toolTravel travels[sole_gaitCount];
 	toolSteps steps[sole_gaitCount];
+	soleSettings settings; // the defaults; a test may change them between runs
 } testActor;
 
 /// @param change what is different in the mannequin. May be NULL

@@ -165,7 +165,8 @@ class Output {
 }
 defineFields(
 	Output,
-	{ pelvisOffset: "pelvisOffset_w", pelvisTranslation: "pelvisTranslation_l", bodyGradient: "bodyGradient_w" },
+	{ pelvisOffset: "pelvisOffset_w", pelvisTranslation: "pelvisTranslation_l", bodyGradient: "bodyGradient_w",
+		lean: "lean_l" },
 	{ capsuleShorter: "capsuleShorter", capsuleOffset: "capsuleOffset", secondWeight: "secondWeight",
 		groundOffset: "groundOffset", unmetTime: "unmetTime", activity: "activity", strength: "strength" },
 );

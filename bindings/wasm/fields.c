@@ -145,6 +145,7 @@ static const soleWasmField soleWasmFields[] = {
 	FIELD( soleOutput, unmetTime, 'f' ),
 	FIELD( soleOutput, activity, 'i' ),
 	FIELD( soleOutput, strength, 'f' ),
+	FIELD( soleOutput, lean_l, 'f' ),
 	FIELD( soleOutput, bodyGradient_w, 'f' ),
 	FIELD( soleOutput, legs, 's' ),
 

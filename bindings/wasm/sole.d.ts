@@ -298,6 +298,8 @@ export interface Output {
 	readonly pelvisOffset: Float32Array;
 	readonly pelvisTranslation: Float32Array;
 	readonly bodyGradient: Float32Array;
+	/** The turn that leans the trunk, before the animated rotation of the joint that carries it, parent-local. */
+	readonly lean: Float32Array;
 	readonly capsuleShorter: number;
 	readonly capsuleOffset: number;
 	readonly secondWeight: number;

@@ -247,6 +247,14 @@ typedef struct soleSettings
 		float airborne; // share that is left then. [0, 1] default 1
 	} activity;
 
+	/// What the same difference of heights that blends in a second pose does without one. 0: nothing.
+	struct
+	{
+		float knee; // a foot on its way up is lifted further by this share of its rise. [0, 1] default 0
+		float hips; // the hips go away from the higher foot, by this on a slope of 45 degrees. L [0, 0.3] default 0
+		float lean; // the trunk leans to the higher foot by this share of the slope. [0, 1] default 0
+	} layer;
+
 	struct
 	{
 		solePelvisFollow follow; // which feet it goes with. [0, 2] default 0, the steps
@@ -519,6 +527,7 @@ typedef struct soleState
 	float bodyGround;       // height of that ground over the root
 	soleVec3 bodyGradient;  // its slope, horizontal
 	float pelvisHeldTime;   // for how long it had not to, s
+	soleVec3 leanSlope;     // as far as the layer has taken it up, horizontal
 	float strength;         // of the placement, by what the character is doing
 	float unmetTime;        // for how long nothing was met, s
 	double worldOrigin[3];
@@ -618,6 +627,8 @@ typedef struct soleOutput
 	/// What the character is doing, and how much of the placement settings.activity leaves for that. [0, 1]
 	soleActivity activity;
 	float strength;
+	/// The turn that leans the trunk, to be put before the animated rotation of soleRig_GetSpine(): parent-local.
+	soleQuat lean_l;
 	/// Legs that are filled in.
 	int32_t legCount;
 	soleLegOutput legs[SOLE_MAX_LEGS];

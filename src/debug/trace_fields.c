@@ -111,10 +111,11 @@ static const soleTraceField soleOutputFields[] = {
 	FLOATS( soleOutput, unmetTime ),
 	INTEGERS( soleOutput, activity ),
 	FLOATS( soleOutput, strength ),
+	FLOATS( soleOutput, lean_l ),
 	INTEGERS( soleOutput, legCount ),
 };
 const soleTraceTable soleTraceOutputTable = TABLE( soleOutputFields );
-_Static_assert( offsetof( soleOutput, legs ) == 4 * 17, "all fields are in the table" );
+_Static_assert( offsetof( soleOutput, legs ) == 4 * 21, "all fields are in the table" );
 
 static const soleTraceField soleLegOutputFields[] = {
 	INTEGERS( soleLegOutput, flags ),

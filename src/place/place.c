@@ -20,6 +20,7 @@ static void solePassThrough( const soleRig* rig, const soleFrame* frame, float s
 {
 	memset( out, 0, offsetof( soleOutput, legs ) + (size_t)rig->legCount * sizeof out->legs[0] );
 	out->legCount = rig->legCount;
+	out->lean_l = soleQuat_Identity();
 	bool readable = frame != NULL && frame->pose != NULL;
 	if ( readable )
 	{
@@ -75,6 +76,7 @@ void soleScrubOutput( const soleRig* rig, soleOutput* out )
 		o->extension = soleFiniteOr( o->extension, 0.0f );
 		o->heightDemand = soleFiniteOr( o->heightDemand, 0.0f );
 	}
+	soleScrubQuat( &out->lean_l );
 	if ( !soleVec3_IsFinite( out->pelvisTranslation_l ) || !soleVec3_IsFinite( out->pelvisOffset_w ) )
 	{
 		out->pelvisTranslation_l = soleVec( 0.0f, 0.0f, 0.0f );
@@ -144,6 +146,7 @@ static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
 	soleDemandSecondPose( work );
 	SOLE_STAGE_END( "target" );
 	soleFindBodyGround( work );
+	soleAddLayer( work );
 	soleMovePelvis( work );
 	SOLE_STAGE_END( "pelvis" );
 	soleSolveLegs( work );
@@ -276,6 +279,12 @@ void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* loc
 		return;
 	}
 	localPose[rig->pelvis].translation = output->pelvisTranslation_l;
+	soleVec3 lean = soleVec( output->lean_l.x, output->lean_l.y, output->lean_l.z );
+	if ( rig->spine != SOLE_NONE && soleDot( lean, lean ) > 0.0f )
+	{
+		localPose[rig->spine].rotation =
+		    soleNormalizeQuat( soleMulQuat( output->lean_l, soleNormalizeQuat( localPose[rig->spine].rotation ) ) );
+	}
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
 		const soleLegDef* leg = &rig->legs[i].def;

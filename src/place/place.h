@@ -207,6 +207,7 @@ typedef struct solePlaceWork
 	float second;          // weight of the second pose in this frame
 	float weight;          // of the whole: the largest of the legs'
 	soleVec3 balance;      // and sideways, horizontal
+	soleVec3 hipShift;     // of that, what steep steps want
 	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
 	float bodyGround;      // height of the ground that the body is over
 	float bodyBefore;      // the same by what the last frame knew
@@ -404,10 +405,12 @@ void soleUpdateLocks( solePlaceWork* work );
 void soleSetTargets( solePlaceWork* work );
 /// Whose ground is out of reach.
 void soleClassReach( solePlaceWork* work );
-/// How much of the second pose the ground demands.
+/// How much of a second pose the ground demands.
 void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.
 void soleFindBodyGround( solePlaceWork* work );
+/// What the same demand does without one: lean, hips, knees.
+void soleAddLayer( solePlaceWork* work );
 /// One height that all legs can live with.
 void soleMovePelvis( solePlaceWork* work );
 /// Heel lift, reach, two-bone.
