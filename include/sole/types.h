@@ -129,6 +129,14 @@ typedef enum soleProbeLayout
 	sole_probeLayoutForce32 = 0x7fffffff
 } soleProbeLayout;
 
+/// How heights are smoothed.
+typedef enum soleFilter
+{
+	sole_filterTime = 0, // by time alone: the same at every frame rate
+	sole_filterTick = 1, // the ground asked every 0.02 s, a share of the way with every call, as an ancestor does
+	sole_filterForce32 = 0x7fffffff
+} soleFilter;
+
 /// What a held foot turns about when the animation turns it.
 typedef enum soleLockPivot
 {
@@ -175,10 +183,11 @@ typedef struct soleSettings
 
 	struct
 	{
-		float maxSlope;  // steeper faces give height but no tilt. rad [0, 1.5] default 0.87 (50 degrees)
-		float levelGap;  // neighbouring probes further apart than 45 degrees plus this are on different levels. L
-		                 // [0, 0.5] default 0.022
-		float loadPoint; // where the sole bears, from heel 0 to toe tip 1. [0, 1] default 0.5
+		soleFilter filter; // how heights are smoothed: set where a state begins. [0, 1] default 0, by time
+		float maxSlope;    // steeper faces give height but no tilt. rad [0, 1.5] default 0.87 (50 degrees)
+		float levelGap;    // neighbouring probes further apart than 45 degrees plus this are on different levels. L
+		                   // [0, 0.5] default 0.022
+		float loadPoint;   // where the sole bears, from heel 0 to toe tip 1. [0, 1] default 0.5
 		float lookAhead; // a foot in flight rises for what its toes will pass over within this time. s [0, 0.5] default
 		                 // 0.08
 		float heightHalfLife;   // decay of ground steps under a foot in flight. s [0, 1] default 0.045

@@ -99,9 +99,7 @@ static void soleWritePelvis( solePlaceWork* work )
 		return;
 	}
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
-	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
-		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }
-	                                          : work->slots[parent];
+	soleTransform space = parent == SOLE_NONE ? soleGetNearRoot( work ) : work->slots[parent];
 	// Added to what the animation has, so that no shift leaves it as it is, to the bit.
 	space.translation = soleVec( 0.0f, 0.0f, 0.0f );
 	out->pelvisTranslation_l = soleAdd( out->pelvisTranslation_l, soleInvTransformPoint( space, out->pelvisOffset_w ) );
@@ -121,6 +119,11 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	soleTakeState( rig, frame, state );
 	soleSetUpFrame( work );
 	soleSense( work );
+	if ( settings->support.filter == sole_filterTick )
+	{
+		soleCountTick( work );
+		return;
+	}
 	soleForesee( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
@@ -128,12 +131,9 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	}
 }
 
-static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
+/// From what is on the ground to where the body goes.
+static void soleFindTargets( solePlaceWork* work )
 {
-	soleFindSupport( work, hits );
-	SOLE_STAGE_END( "support" );
-	soleUpdateContact( work );
-	soleFindActivity( work );
 	soleLearnSteps( work );
 	SOLE_STAGE_END( "contact" );
 	soleTakeResteps( work );
@@ -149,12 +149,24 @@ static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
 	soleAddLayer( work );
 	soleMovePelvis( work );
 	SOLE_STAGE_END( "pelvis" );
+}
+
+static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
+{
+	bool ticks = work->settings->support.filter == sole_filterTick;
+	soleFindSupport( work, hits );
+	ticks ? soleKeepTick( work ) : (void)0;
+	SOLE_STAGE_END( "support" );
+	soleUpdateContact( work );
+	soleFindActivity( work );
+	ticks ? soleFollowTick( work ) : soleFindTargets( work );
 	soleSolveLegs( work );
 	SOLE_STAGE_END( "leg" );
 	soleLimitAnkles( work );
 	soleSolveLimitedLegs( work );
 	soleAlignAnkles( work );
 	SOLE_STAGE_END( "ankle" );
+	ticks ? soleRememberShown( work ) : (void)0;
 	soleRememberBodies( work );
 	soleWritePelvis( work );
 }

@@ -199,6 +199,7 @@ typedef struct solePlaceWork
 	float rootScale;
 	float timeStep;
 	bool first;            // nothing is remembered
+	bool ticks;            // the ground is asked in this frame (tick.c)
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
 	soleBounds bounds;     // of the pelvis
@@ -242,6 +243,15 @@ static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point
 	return ( solePlane ){ point, soleNormalizeOr( soleSub( work->up, gradient ), work->up ), gradient };
 }
 
+/// The frame's root in near space: rotation of unit length.
+static inline soleTransform soleGetNearRoot( const solePlaceWork* work )
+{
+	return ( soleTransform ){ { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( work->frame->root.rotation ),
+		work->frame->root.scale };
+}
+
+/// The turn about up that points the toes outwards, away from the other side of the body.
+soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg );
 /// Share of a slope that a sole follows.
 float soleFindAlign( const solePlaceWork* work, soleVec3 gradient );
 /// The part of a foot's place that ground of some normal adds: the ankle stands over its animated place, so the sole
@@ -376,6 +386,13 @@ void soleBlendWeights( solePlaceWork* work, soleLegWork* leg );
 /// Moves what legs remember with the bodies that they stand on; keeps those bodies for the next frame.
 void soleCarryLegs( solePlaceWork* work );
 void soleRememberBodies( solePlaceWork* work );
+
+/// In place of the stages from the learning of steps to the pelvis, where settings ask for the filter by ticks: the
+/// clock and where the ground is asked, the answers, body and legs, and what is shown of them in the end.
+void soleCountTick( solePlaceWork* work );
+void soleKeepTick( solePlaceWork* work );
+void soleFollowTick( solePlaceWork* work );
+void soleRememberShown( solePlaceWork* work );
 
 /// The stages. Each reads what those before it wrote.
 

@@ -250,6 +250,11 @@ static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, 
 	{
 		return false;
 	}
+	if ( work->settings->support.filter == sole_filterTick )
+	{
+		*point = leg->soleCenter;
+		return work->ticks && k == 0;
+	}
 	if ( leg->reading )
 	{
 		soleProbePlace place = soleQualityPlaces[soleMinI( k, QUALITY - 1 )];

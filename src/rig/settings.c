@@ -27,6 +27,7 @@ static const soleSettingInfo soleSettingInfos[] = {
 	FLOAT( probe.looseSize, "L", 0, 2, 0.1, "Loose things smaller than this are no ground." ),
 	FLOAT( probe.sleep, "s", 0, 60, 0, "A foot that has stood still for so long asks one probe alone. 0: none does." ),
 	MASK( probe.mask, "Layers that count as ground." ),
+	ENUM( support.filter, 1, 0, "Heights are smoothed 0 by time, 1 by call, asked every 0.02 s: set at the start." ),
 	FLOAT( support.maxSlope, "rad", 0, 1.5, 0.8726646, "Steeper ground gives height but does not tilt the foot." ),
 	FLOAT(
 	    support.levelGap, "L", 0, 0.5, 0.022, "Neighbouring probes this far beyond 45 degrees are on other levels." ),
