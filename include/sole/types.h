@@ -513,6 +513,7 @@ typedef struct soleLegState
 	soleOffset3 gradient;   // what is left of slope changes
 	float heelRise;         // their heights over the clip's floor
 	float ballRise;
+	soleVec3 limitTurn;   // what the ankle's range of motion turns the foot by, in its own axes: sines of half angles
 	soleOffset1 flat;     // by how much a heel that its clip leaves off the floor is turned down, rad
 	float positionWeight; // as far as blended in
 	float rotationWeight;
@@ -538,6 +539,7 @@ typedef struct soleState
 	float pelvisHeldTime;   // for how long it had not to, s
 	soleVec3 leanSlope;     // as far as the layer has taken it up, horizontal
 	float strength;         // of the placement, by what the character is doing
+	float standing;         // 1 all feet have been down for a while .. 0 not
 	float unmetTime;        // for how long nothing was met, s
 	double worldOrigin[3];
 	int32_t internalValue;

@@ -5,12 +5,16 @@
 // trigonometry, into pitch about the side axis, roll about the forward axis, a small rest, and twist about the up axis;
 // the halves of pitch, roll and twist are clamped, and the parts put together again. Each limit is widened to what the
 // animation does itself. What the ankle cannot do becomes a new target: the foot stands on whatever part of its sole is
-// lowest then, at the height that was wanted of the lowest part.
+// lowest then, at the height that was wanted of the lowest part. Shins sway over feet that stand, and a foot at its
+// limit would rock along: so while all stand, what the limits turn a foot by stays as it is while it is right within
+// PLAY, as in a worn joint.
 //
 // Toes. They go where the animated toes go on the plane (so they stay flat while the heel is raised), plus the slope of
 // the ground in front of the ball, as far as their limits let them; up at once, for the ground pushes them, and down
 // with the foot's contact. Toes that the clip has under its floor are bent up to it.
 #include "place/place.h"
+
+#define PLAY 0.024f // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
 
 typedef struct soleAnkleTurn
 {
@@ -131,6 +135,37 @@ static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat 
 	leg->footTarget = turned;
 }
 
+static float soleStepPlay( float kept, float right, float play )
+{
+	return soleClampF( kept, right - play, right + play );
+}
+
+/// Keeps what the limits turn a foot by, in its own axes, as long as that is right or nearly so.
+/// @param right what they turn it by now
+/// @return what it is turned by, sines of half angles
+static soleVec3 soleKeepLimit( const solePlaceWork* work, soleLegWork* leg, soleVec3 right )
+{
+	soleVec3* kept = &leg->state->limitTurn;
+	float play = PLAY * soleSmoothly( work->state->standing );
+	kept->x = soleStepPlay( kept->x, right.x, play );
+	kept->y = soleStepPlay( kept->y, right.y, play );
+	kept->z = soleStepPlay( kept->z, right.z, play );
+	return *kept;
+}
+
+/// What turns one rotation into another, in its own axes.
+static soleVec3 soleTurnBetween( soleQuat from, soleQuat to )
+{
+	soleQuat turn = soleMulQuat( soleConjugate( from ), to );
+	return soleScale( turn.w < 0.0f ? -1.0f : 1.0f, soleVec( turn.x, turn.y, turn.z ) );
+}
+
+static soleQuat soleTurnBy( soleQuat from, soleVec3 turn )
+{
+	float w = soleSqrtF( soleMaxF( 1.0f - soleDot( turn, turn ), 0.0f ) );
+	return soleNormalizeQuat( soleMulQuat( from, ( soleQuat ){ turn.x, turn.y, turn.z, w } ) );
+}
+
 void soleLimitAnkles( solePlaceWork* work )
 {
 	for ( int32_t i = 0; i < work->legCount; ++i )
@@ -148,10 +183,15 @@ void soleLimitAnkles( solePlaceWork* work )
 		bool clamped = soleClampHalf( &turn.pitch, rig->pitch, animated.pitch );
 		clamped = soleClampHalf( &turn.roll, rig->roll, animated.roll ) || clamped;
 		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
-		leg->limited = clamped;
-		if ( clamped )
+		soleQuat limited = clamped ? solePutTogether( rig, shin, turn ) : leg->footReached;
+		soleVec3 right = clamped ? soleTurnBetween( leg->footReached, limited ) : soleVec( 0.0f, 0.0f, 0.0f );
+		soleVec3 kept = soleKeepLimit( work, leg, right );
+		bool asItIs = kept.x == right.x && kept.y == right.y && kept.z == right.z;
+		leg->limited = clamped || asItIs == false;
+		if ( leg->limited )
 		{
-			soleRetarget( work, leg, leg->footReached, solePutTogether( rig, shin, turn ) );
+			limited = asItIs ? limited : soleTurnBy( leg->footReached, kept );
+			soleRetarget( work, leg, leg->footReached, limited );
 			leg->out->flags |= (uint32_t)sole_legAnkleClamped;
 		}
 	}

@@ -23,6 +23,8 @@
 #define FREE 1e3f          // L
 #define CARRIED 0.8f // share of the most that the ground may use up: on steep stairs some is left to catch up with
 #define STANDING_TIME 0.3f // s
+#define STANDING_IN 0.5f   // s
+#define STANDING_OUT 0.2f  // s
 #define LN_2 0.6931472f
 #define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
 #define LANDING_SHARE 1.6f // the pelvis is ready for a foot that comes down after 1 / 1.6 of its way
@@ -103,6 +105,8 @@ static soleBounds soleFindBounds( const solePlaceWork* work, float over )
 		bounds.floor = bounds.any ? soleMaxF( bounds.floor, floor ) : floor;
 		bounds.any = true;
 	}
+	// While all stand there is time: no heel is lifted for a pelvis that lags.
+	bounds.most += ( bounds.ceiling - bounds.most ) * soleSmoothly( work->state->standing );
 	bounds.ceiling -= over;
 	bounds.most -= over;
 	bounds.floor -= over;
@@ -139,6 +143,14 @@ static bool soleIsStanding( const solePlaceWork* work )
 		standing = standing && ( counts == false || ( leg->touches && leg->state->time > STANDING_TIME ) );
 	}
 	return standing;
+}
+
+/// Comes slowly, and goes when a foot is lifted.
+static void soleStepStanding( solePlaceWork* work )
+{
+	soleState* state = work->state;
+	float step = soleIsStanding( work ) ? work->timeStep / STANDING_IN : -work->timeStep / STANDING_OUT;
+	state->standing = work->first ? 0.0f : soleSaturate( state->standing + step );
 }
 
 /// Goes down at once, and up again only when it has not been needed for some time: the lowest that each step needs is
@@ -240,6 +252,7 @@ void soleMovePelvis( solePlaceWork* work )
 	soleState* state = work->state;
 	float legLength = soleLongestLeg( work );
 	soleKeepBalance( work, legLength );
+	soleStepStanding( work );
 	float over = work->bodyGround - work->reference;
 	soleBounds bounds = soleFindBounds( work, over );
 	work->bounds = bounds;
