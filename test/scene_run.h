@@ -16,6 +16,7 @@ typedef struct testWorld
 	soleScene scene;
 	soleGround* grounds[SOLE_SCENE_MAX_PIECES];
 	soleTerrain* terrains[SOLE_SCENE_MAX_PIECES];
+	soleQuat turn; // of the whole world that the host has, against the scene's; still pieces only
 } testWorld;
 
 void testOpenWorld( const char* id, testWorld* world );
