@@ -31,10 +31,13 @@ typedef struct soleScenePiece
 } soleScenePiece;
 
 /// Part of a way on which up turns with the ground.
+/// Turns are about +x, rad: over a crest they are positive, up a wall negative.
 typedef struct soleSceneStretch
 {
 	double length;
-	double turn; // about +x over that length, rad: over a crest it is positive, up a wall negative. 0: straight
+	double bend;   // of its course over that length
+	double corner; // of its course at its end
+	double turn;   // of its walker's up over that length
 } soleSceneStretch;
 
 /// A way over crests, up walls and along ceilings: begins at x = 0 upright, ahead along +z.

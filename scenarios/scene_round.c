@@ -2,36 +2,45 @@
 // Scenes that are walked all around, and the way around them: up is where its walker is. World space, metres; all of a
 // way lies in the plane x = 0.
 //
-// A way is made of stretches, each straight or an arc. With a the turn about +x since its start, so that ahead is
-// ( 0, -sin a, cos a ) and up ( 0, cos a, sin a ), an arc of radius r = length / turn goes from a to b by
-//   z += r ( sin b - sin a ),  y += r ( cos b - cos a )
-// Over a planet the way is the ground. In an edge, where the normals of faces jump, it is rounded, and so cuts off the
-// edge: up turns evenly from one face to the next, as that of a normal provider does which takes the mean of the faces
-// around a walker.
+// A way is made of stretches. With p the turn of its course about +x since the start, so that it goes along
+// ( 0, -sin p, cos p ), an arc of radius r = length / bend goes from p to q by
+//   z += r ( sin q - sin p ),  y += r ( cos q - cos p )
+// and its walker's up, turned by a, is ( 0, cos a, sin a ). Over a planet both turn together. Before a corner up begins
+// to turn, evenly, and has turned half way in it, as that of a normal provider does which takes the mean of the faces
+// around a walker: in the corner itself, where their normals jump, nothing does.
 #include "scene_makers.h"
 
 #define TURN 6.283185307179586
 #define DEGREE 0.017453292519943295
-#define COLUMNS 240 // of a planet around its walk: faces are 0.5 mm under a radius of 6 in their middles
-#define ROUNDING 0.8
+#define COLUMNS 240  // of a planet around its walk: faces are 0.5 mm under a radius of 6 in their middles
+#define ROUNDING 1.2 // before and after a corner up turns within so much
 
 // --------------------------------------------------------------------------------------------------------------- ways
 
-static void soleAddStretch( soleSceneBuilder* builder, double length, double turn )
+static void soleAddStretch( soleSceneBuilder* builder, soleSceneStretch stretch )
 {
 	soleSceneWay* way = &builder->way;
 	builder->failed = builder->failed || way->count >= SOLE_SCENE_MAX_STRETCHES;
 	if ( builder->failed == false )
 	{
-		way->stretches[way->count++] = ( soleSceneStretch ){ length, turn };
+		way->stretches[way->count++] = stretch;
 	}
 }
 
-/// Straight on, and round a corner of a right angle as far as its rounding goes.
-static void soleAddCorner( soleSceneBuilder* builder, double straight, double side )
+/// Straight on along a face from one corner to the next. @param before how far the first was turned by, @param after
+/// and the next will be
+static void soleAddFace( soleSceneBuilder* builder, double length, double before, double after )
 {
-	soleAddStretch( builder, straight, 0.0 );
-	soleAddStretch( builder, 0.25 * TURN * ROUNDING, side * 0.25 * TURN );
+	double straight = length - ( before != 0.0 ? ROUNDING : 0.0 ) - ( after != 0.0 ? ROUNDING : 0.0 );
+	if ( before != 0.0 )
+	{
+		soleAddStretch( builder, ( soleSceneStretch ){ .length = ROUNDING, .turn = 0.5 * before } );
+	}
+	soleAddStretch( builder, ( soleSceneStretch ){ .length = straight } );
+	if ( after != 0.0 )
+	{
+		soleAddStretch( builder, ( soleSceneStretch ){ .length = ROUNDING, .corner = after, .turn = 0.5 * after } );
+	}
 }
 
 void soleGetSceneWay( const soleScene* scene, double gone, soleTransform* place )
@@ -39,17 +48,20 @@ void soleGetSceneWay( const soleScene* scene, double gone, soleTransform* place 
 	const soleSceneWay* way = &scene->way;
 	double y = way->y;
 	double z = way->z;
+	double p = 0.0;
 	double a = 0.0;
 	for ( int32_t i = 0; i < way->count; ++i )
 	{
 		// The last one goes on.
 		const soleSceneStretch* s = way->stretches + i;
-		double length = gone < s->length || i + 1 == way->count ? gone : s->length;
-		double b = a + s->turn * length / s->length;
-		double radius = s->turn != 0.0 ? s->length / s->turn : 0.0;
-		z += s->turn != 0.0 ? radius * ( sin( b ) - sin( a ) ) : length * cos( a );
-		y += s->turn != 0.0 ? radius * ( cos( b ) - cos( a ) ) : -length * sin( a );
-		a = b;
+		bool within = gone < s->length || i + 1 == way->count;
+		double length = within ? gone : s->length;
+		double q = p + s->bend * length / s->length;
+		double radius = s->bend != 0.0 ? s->length / s->bend : 0.0;
+		z += s->bend != 0.0 ? radius * ( sin( q ) - sin( p ) ) : length * cos( p );
+		y += s->bend != 0.0 ? radius * ( cos( q ) - cos( p ) ) : -length * sin( p );
+		p = q + ( within ? 0.0 : s->corner );
+		a += s->turn * length / s->length;
 		gone -= length;
 	}
 	*place = soleTransform_Identity();
@@ -91,7 +103,7 @@ void soleMakePlanet( soleSceneBuilder* builder, double radius, uint32_t seed, do
 		}
 	}
 	builder->way = ( soleSceneWay ){ .y = radius };
-	soleAddStretch( builder, TURN * radius, TURN );
+	soleAddStretch( builder, ( soleSceneStretch ){ .length = TURN * radius, .bend = TURN, .turn = TURN } );
 	// Its top can be walked with any up: as far as 30 degrees.
 	ends[0] = -0.5 * radius - 0.8;
 	ends[1] = 0.5 * radius + 0.8;
@@ -105,7 +117,7 @@ void soleMakeOverhang( soleSceneBuilder* builder, double height, uint32_t seed, 
 {
 	(void)seed;
 	const double half = 2.0;
-	const double top = height + 2.0;
+	const double top = height + 3.0;
 	// z, y: counter clockwise seen from -x. Points where the parts meet are corners too.
 	const double outline[10][2] = { { -2.0, -1.0 }, { 6.0, -1.0 }, { 6.0, 0.0 }, { 6.0, height }, { 6.0, top },
 		{ 1.0, top }, { 1.0, height }, { 5.0, height }, { 5.0, 0.0 }, { -2.0, 0.0 } };
@@ -130,11 +142,12 @@ void soleMakeOverhang( soleSceneBuilder* builder, double height, uint32_t seed, 
 		soleAddSceneTriangle( builder, a, a + 10, b + 10 );
 	}
 	builder->way = ( soleSceneWay ){ .z = -1.0 };
-	soleAddCorner( builder, 6.0 - ROUNDING, -1.0 );
-	soleAddCorner( builder, height - 2.0 * ROUNDING, -1.0 );
-	soleAddCorner( builder, 4.0 - 2.0 * ROUNDING, 1.0 );
-	soleAddCorner( builder, 2.0 - 2.0 * ROUNDING, 1.0 );
-	soleAddStretch( builder, 4.0 - ROUNDING, 0.0 );
+	const double right = 0.25 * TURN;
+	soleAddFace( builder, 6.0, 0.0, -right );
+	soleAddFace( builder, height, -right, -right );
+	soleAddFace( builder, 4.0, -right, right );
+	soleAddFace( builder, top - height, right, right );
+	soleAddFace( builder, 5.0, right, 0.0 );
 	// What lies under the open sky before the slab.
 	ends[0] = -2.0;
 	ends[1] = 1.0;
