@@ -58,6 +58,8 @@ static void start( Character* c, int32_t number )
 	c->settings.target.toeOutLeft = number == 5 ? 0.3f : 0.0f;
 	c->settings.pelvis.speed = number == 8 ? 0.0f : c->settings.pelvis.speed; // legs have to reach by their heels
 	c->settings.target.height = number == 6 ? 0.02f : 0.0f;
+	c->settings.support.filter = number == 9 ? sole_filterTick : c->settings.support.filter;
+	c->settings.layer.hips = number == 10 ? 0.3f : 0.0f;
 	for ( int32_t i = 0; i < 2; ++i )
 	{
 		c->state[i] = soleDefaultState( s_biped.rig );

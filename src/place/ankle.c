@@ -235,7 +235,7 @@ static void soleWriteDetachedFoot( const solePlaceWork* work, soleLegWork* leg )
 	soleVec3 arm = soleInvRotate( leg->foot.rotation, soleSub( leg->foot.translation, leg->ankle ) );
 	soleVec3 place = soleAdd( leg->ankleReached, soleRotate( leg->footReached, arm ) );
 	int32_t parent = work->rig->slotParents[rig->footSlot];
-	soleTransform space = parent == SOLE_NONE ? soleRootSpace( work ) : work->slots[parent];
+	soleTransform space = parent == SOLE_NONE ? soleGetNearRoot( work ) : work->slots[parent];
 	if ( rig->footBelowPelvis )
 	{
 		space.translation = soleMulAdd( space.translation, work->pelvisShift, work->up );

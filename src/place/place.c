@@ -23,6 +23,7 @@ static void solePassThrough( const soleRig* rig, const soleFrame* frame, float s
 {
 	memset( out, 0, offsetof( soleOutput, legs ) + (size_t)rig->legCount * sizeof out->legs[0] );
 	out->legCount = rig->legCount;
+	out->lean_l = soleQuat_Identity();
 	bool readable = frame != NULL && frame->pose != NULL;
 	if ( readable )
 	{
@@ -83,6 +84,7 @@ void soleScrubOutput( const soleRig* rig, soleOutput* out )
 		o->extension = soleFiniteOr( o->extension, 0.0f );
 		o->heightDemand = soleFiniteOr( o->heightDemand, 0.0f );
 	}
+	soleScrubQuat( &out->lean_l );
 	if ( !soleVec3_IsFinite( out->pelvisTranslation_l ) || !soleVec3_IsFinite( out->pelvisOffset_w ) )
 	{
 		out->pelvisTranslation_l = soleVec( 0.0f, 0.0f, 0.0f );
@@ -105,7 +107,7 @@ static void soleWritePelvis( solePlaceWork* work )
 		return;
 	}
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
-	soleTransform space = parent == SOLE_NONE ? soleRootSpace( work ) : work->slots[parent];
+	soleTransform space = parent == SOLE_NONE ? soleGetNearRoot( work ) : work->slots[parent];
 	// Added to what the animation has, so that no shift leaves it as it is, to the bit.
 	space.translation = soleVec( 0.0f, 0.0f, 0.0f );
 	out->pelvisTranslation_l = soleAdd( out->pelvisTranslation_l, soleInvTransformPoint( space, out->pelvisOffset_w ) );
@@ -128,6 +130,11 @@ void soleOpenFrame( solePlaceWork* work, const soleRig* rig, const soleSettings*
 
 static void soleAimFrame( solePlaceWork* work )
 {
+	if ( soleGoesByTicks( work ) )
+	{
+		soleCountTick( work );
+		return;
+	}
 	soleForesee( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
@@ -152,13 +159,9 @@ void soleBeginFrames( solePlaceWork* const* works, int32_t count, int32_t width 
 	}
 }
 
-/// From the answers of the ground to where feet are held.
-static void soleStandFrame( solePlaceWork* work, const soleLegHits* hits )
+/// From what is on the ground to where feet are held.
+static void soleHoldFeet( solePlaceWork* work )
 {
-	solePassThrough( work->rig, work->frame, work->second, work->out );
-	soleFindSupport( work, hits );
-	SOLE_STAGE_END( "support" );
-	soleUpdateContact( work );
 	soleLearnSteps( work );
 	SOLE_STAGE_END( "contact" );
 	soleTakeResteps( work );
@@ -168,15 +171,33 @@ static void soleStandFrame( solePlaceWork* work, const soleLegHits* hits )
 	SOLE_STAGE_END( "lock" );
 }
 
+/// From the answers of the ground to where feet are held.
+static void soleStandFrame( solePlaceWork* work, const soleLegHits* hits )
+{
+	solePassThrough( work->rig, work->frame, work->second, work->out );
+	soleFindSupport( work, hits );
+	soleGoesByTicks( work ) ? soleKeepTick( work ) : (void)0;
+	SOLE_STAGE_END( "support" );
+	soleUpdateContact( work );
+	soleFindActivity( work );
+	soleGoesByTicks( work ) ? (void)0 : soleHoldFeet( work );
+}
+
 /// From the targets to where the pelvis goes.
-static void soleReachFrame( solePlaceWork* work )
+static void soleMoveBody( solePlaceWork* work )
 {
 	soleClassReach( work );
 	soleDemandSecondPose( work );
 	SOLE_STAGE_END( "target" );
 	soleFindBodyGround( work );
+	soleAddLayer( work );
 	soleMovePelvis( work );
 	SOLE_STAGE_END( "pelvis" );
+}
+
+static void soleReachFrame( solePlaceWork* work )
+{
+	soleGoesByTicks( work ) ? soleFollowTick( work ) : soleMoveBody( work );
 }
 
 void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg )
@@ -202,6 +223,7 @@ void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg )
 static void soleCloseFrame( solePlaceWork* work )
 {
 	soleState* state = work->state;
+	soleGoesByTicks( work ) ? soleRememberShown( work ) : (void)0;
 	soleRememberBodies( work );
 	soleWritePelvis( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
@@ -217,13 +239,13 @@ static void soleCloseFrame( solePlaceWork* work )
 void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
 {
 	soleStandFrame( work, hits );
-	soleSetTargets( work );
+	soleGoesByTicks( work ) ? (void)0 : soleSetTargets( work );
 	soleReachFrame( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleFinishLeg( work, work->legs + i );
 	}
-	SOLE_STAGE_END( "leg" );
+	SOLE_STAGE_END( "leg and ankle" );
 	soleCloseFrame( work );
 }
 
@@ -349,6 +371,12 @@ void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* loc
 		return;
 	}
 	localPose[rig->pelvis].translation = output->pelvisTranslation_l;
+	soleVec3 lean = soleVec( output->lean_l.x, output->lean_l.y, output->lean_l.z );
+	if ( rig->spine != SOLE_NONE && soleDot( lean, lean ) > 0.0f )
+	{
+		localPose[rig->spine].rotation =
+		    soleNormalizeQuat( soleMulQuat( output->lean_l, soleNormalizeQuat( localPose[rig->spine].rotation ) ) );
+	}
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
 		const soleLegDef* leg = &rig->legs[i].def;

@@ -19,7 +19,7 @@ static void solePutSpace( soleSenseSpace* space, int32_t lane, soleTransform t )
 
 static void solePutCharacter( soleSenseLanes* f, int32_t lane, const solePlaceWork* work )
 {
-	solePutSpace( &f->root, lane, soleRootSpace( work ) );
+	solePutSpace( &f->root, lane, soleGetNearRoot( work ) );
 	solePutRow3( f->up, lane, work->up );
 	solePutRow3( f->level, lane, work->level );
 	solePutRow3( f->rootUp, lane, work->rootUp );

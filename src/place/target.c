@@ -41,16 +41,6 @@ solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg )
 	return soleMakePlane( work, soleMulAdd( plane.point, raise, work->up ), soleScale( align, plane.gradient ) );
 }
 
-float soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg )
-{
-	const soleRigLeg* rig = leg->rig;
-	float left = rig->def.side == sole_left ? work->settings->target.toeOutLeft : 0.0f;
-	float angle = rig->def.side == sole_right ? work->settings->target.toeOutRight : left;
-	// A positive turn about up takes the heading away from the foot's side vector.
-	float sign = rig->outerSide >= rig->innerSide ? -1.0f : 1.0f;
-	return sign * angle;
-}
-
 float soleStepFlat( const solePlaceWork* work, const soleLegWork* leg )
 {
 	const soleSettings* s = work->settings;
@@ -83,8 +73,7 @@ void soleSetTargets( solePlaceWork* work )
 		// Heights were measured along the root's up: a leaning root is put upright first.
 		soleQuat upright = soleFromTo( work->rootUp, work->up, leg->forward );
 		soleQuat image = soleMulQuat( tilt, soleMulQuat( leg->turn, upright ) );
-		soleQuat toeOut = soleHalfRotation( work->up, soleHalfFromAngle( soleGetToeOut( work, leg ) ) );
-		soleQuat turned = soleMulQuat( leg->turn, soleMulQuat( toeOut, upright ) );
+		soleQuat turned = soleMulQuat( leg->turn, soleMulQuat( soleGetToeOut( work, leg ), upright ) );
 		leg->image = soleMulQuat( tilt, turned );
 		// A foot that is turned outwards turns under its ankle.
 		soleVec3 side = soleRotate( leg->foot.rotation, leg->rig->footSide );

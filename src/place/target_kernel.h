@@ -26,7 +26,7 @@ SOLE_INLINE FN( soleCarry ) FN( soleFindCarry )( soleTargetLanes* f, int32_t i )
 	soleLanes4 turn = FN( soleRow4 )( f->turn, i );
 	soleLanes4 tilt = FN( soleFromTo4 )( up, FN( soleRow3 )( f->planeNormal, i ), forward );
 	soleLanes4 upright = FN( soleFromTo4 )( FN( soleRow3 )( f->rootUp, i ), up, forward );
-	soleLanes4 toeOut = FN( soleWideHalfRotation )( up, FN( soleWideHalfFromAngle )( soleWide_Load( f->toeOut + i ) ) );
+	soleLanes4 toeOut = FN( soleRow4 )( f->toeOut, i );
 	soleLanes4 turned = FN( soleMul4 )( turn, FN( soleMul4 )( toeOut, upright ) );
 	soleLanes3 side = FN( soleRotate3 )( FN( soleRow4 )( f->foot, i ), FN( soleRow3 )( f->footSide, i ) );
 	soleLanesHalf flat = FN( soleWideHalfFromAngle )( soleWide_Load( f->flat + i ) );

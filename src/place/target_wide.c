@@ -23,7 +23,7 @@ static void soleAddLane( soleTargetLanes* f, const solePlaceWork* work, soleLegW
 	solePutRow3( f->anchorGoal, lane, leg->anchorGoal );
 	f->raise[lane] = leg->sunk + work->settings->target.height * leg->length;
 	solePutRow4( f->turn, lane, leg->turn );
-	f->toeOut[lane] = soleGetToeOut( work, leg );
+	solePutRow4( f->toeOut, lane, soleGetToeOut( work, leg ) );
 	f->flat[lane] = soleStepFlat( work, leg );
 	solePutRow3( f->pivot, lane, leg->pivot );
 	solePutRow3( f->ankle, lane, leg->ankle );
@@ -67,7 +67,8 @@ void soleSetAllTargets( solePlaceWork* const* works, int32_t count, int32_t widt
 	lanes.count = 0;
 	for ( int32_t i = 0; i < count; ++i )
 	{
-		for ( int32_t k = 0; k < works[i]->legCount; ++k )
+		int32_t legCount = soleGoesByTicks( works[i] ) ? 0 : works[i]->legCount;
+		for ( int32_t k = 0; k < legCount; ++k )
 		{
 			if ( works[i]->legs[k].usable )
 			{

@@ -16,7 +16,7 @@ typedef struct soleTargetLanes
 	soleRow up[3], rootUp[3], forward[3], root_w[3];
 	soleRow planePoint[3], planeNormal[3], planeGradient[3];
 	soleRow anchor[3], anchorGoal[3], raise; // raise: of the sole over the plane
-	soleRow turn[4], toeOut, flat;           // toeOut, flat: angles
+	soleRow turn[4], toeOut[4], flat;        // flat: an angle
 	soleRow pivot[3], ankle[3], foot[4], footSide[3];
 	soleRow weight, turnWeight;
 
