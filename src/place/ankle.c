@@ -12,7 +12,7 @@
 // Toes. They go where the animated toes go on the plane (so they stay flat while the heel is raised), plus the slope of
 // the ground in front of the ball, as far as their limits let them; up at once, for the ground pushes them, and down
 // with the foot's contact. Toes that the clip has under its floor are bent up to it.
-#include "place/place.h"
+#include "place/parts.h"
 
 #define PLAY 0.024f // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
 

@@ -27,7 +27,7 @@
 // angle to w's part in that plane:  c = ( ( |a0|^2 + |w|^2 - l^2 ) / 2 - a_e w_e ) / ( r |w_p| ). Where c comes near 1
 // the ankle is nearly on the line from ball to hip, and a little more distance takes ever more angle, endlessly fast:
 // the end is approached softly, as the leg's own is, and what is left then is the leg's.
-#include "place/place.h"
+#include "place/parts.h"
 
 #define EASE 0.15f // of the cosine of the heel lift
 

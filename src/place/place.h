@@ -378,13 +378,6 @@ static inline soleTransform soleReadPose( const soleFrame* frame, float second, 
 		soleLerp( a.scale, b.scale, second ) };
 }
 
-/// What a leg's heel is raised about.
-static inline soleVec3 soleGetPivot( const solePlaceWork* work, const soleLegWork* leg )
-{
-	int32_t toe = leg->rig->toeSlot;
-	return toe == SOLE_NONE ? leg->ball : work->slots[toe].translation;
-}
-
 /// The answers of a frame, leg by leg: those of leg i begin at starts[i] and end at starts[i + 1].
 typedef struct soleLegHits
 {
@@ -441,9 +434,6 @@ void soleRememberShown( solePlaceWork* work );
 
 /// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.
 void soleSense( solePlaceWork* work );
-/// Parts of it: what a leg has of the slots, and how fast its sole is.
-void soleTakeSlots( const solePlaceWork* work, soleLegWork* leg );
-void soleSenseSpeed( const solePlaceWork* work, soleLegWork* leg );
 /// When and where feet in flight will come down.
 void soleForesee( solePlaceWork* work );
 /// What a leg asks, as far as there is room. @return how many probes that takes, at most soleProbesPerLeg()
@@ -468,11 +458,6 @@ void soleChooseFootholds( solePlaceWork* work );
 void soleUpdateLocks( solePlaceWork* work );
 /// Ankle and foot goals.
 void soleSetTargets( solePlaceWork* work );
-/// Parts of it. The plane of a foot that follows less of the slope, and stays above the ground for it.
-solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg );
-/// The angle that lays a foot flat whose heel its clip leaves off the floor while heel and toes are down and at rest:
-/// about what a heel is raised about, at right angles to the foot. It comes and goes with that.
-float soleStepFlat( const solePlaceWork* work, const soleLegWork* leg );
 /// Whose ground is out of reach.
 void soleClassReach( solePlaceWork* work );
 /// How much of a second pose the ground demands.
@@ -483,6 +468,7 @@ void soleFindBodyGround( solePlaceWork* work );
 void soleAddLayer( solePlaceWork* work );
 /// One height that all legs can live with.
 void soleMovePelvis( solePlaceWork* work );
+
 /// The last stages go leg by leg.
 
 /// Heel lift, reach, two-bone.
@@ -494,11 +480,5 @@ void soleAlignAnkle( const solePlaceWork* work, soleLegWork* leg );
 /// All of them, and those after the first.
 void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg );
 void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg );
-
-/// What soleSolveLeg() does before the two bones are solved, and after.
-void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def );
-void soleTakeLeg( const solePlaceWork* work, soleLegWork* leg, soleVec3 reached, uint32_t flags );
-/// As animated, world.
-soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot );
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef SOLE_PLACE_ROWS_H
 #define SOLE_PLACE_ROWS_H
 
-#include "place/place.h"
+#include "place/parts.h"
 
 /// Lanes that go side by side: the legs of eight bipeds, or sixteen characters.
 #define SOLE_LANES 16

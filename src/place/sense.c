@@ -5,7 +5,7 @@
 // Heights are measured over the floor that the clip was made on, not over the world's ground: they tell what the
 // animator meant. Velocities are differences of positions with the root's motion in them, the vertical part taken from
 // the heights, so that a root that climbs a slope does not make a standing foot look fast.
-#include "place/place.h"
+#include "place/parts.h"
 
 static bool soleTransform_IsFinite( soleTransform t )
 {
@@ -38,6 +38,12 @@ void soleTakeSlots( const solePlaceWork* work, soleLegWork* leg )
 	leg->ankleIndex = rig->def.hasVirtualAnkle ? count : count - 1;
 	leg->foot = work->slots[rig->footSlot];
 	leg->toeRotation = rig->toeSlot == SOLE_NONE ? soleQuat_Identity() : work->slots[rig->toeSlot].rotation;
+}
+
+soleVec3 soleGetPivot( const solePlaceWork* work, const soleLegWork* leg )
+{
+	int32_t toe = leg->rig->toeSlot;
+	return toe == SOLE_NONE ? leg->ball : work->slots[toe].translation;
 }
 
 static void soleSenseChain( solePlaceWork* work, soleLegWork* leg )

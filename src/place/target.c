@@ -11,7 +11,7 @@
 //   p' = Q + T R ( ( b - q ) + F ( p - b ) )
 // A weight of the place leads back to where the animation has the ankle, one of the turn to how it turns the
 // foot.
-#include "place/place.h"
+#include "place/parts.h"
 
 #define FLATTEN_TIME 0.04f // s, half-life
 #define HEEL_RESTS 0.15f   // L/s: a heel that is slower neither comes down nor leaves
