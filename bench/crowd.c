@@ -49,6 +49,7 @@ typedef struct benchRoom
 	soleCrowdAsk asks[RANGE];
 	soleProbe* probes;
 	soleHit* hits;
+	void* work;
 } benchRoom;
 
 struct benchHerd
@@ -80,10 +81,10 @@ static void benchWalkRange( benchRoom* room, int32_t first, int32_t count )
 		benchPlaceWalker( herd->walk, herd->ground, benchGetStart( first + i ), number, &room->walker );
 		room->frames[i] = room->walker.frame;
 	}
-	int32_t asked =
-	    soleGatherCrowd( herd->crowd, first, count, room->frames, room->probes, herd->probeCapacity, room->asks );
+	int32_t asked = soleGatherCrowd(
+	    herd->crowd, first, count, room->frames, room->probes, herd->probeCapacity, room->asks, room->work );
 	soleCastProbes( herd->ground, room->probes, asked, room->hits );
-	soleSolveCrowd( herd->crowd, first, count, room->frames, room->probes, room->hits, room->asks );
+	soleSolveCrowd( herd->crowd, first, count, room->frames, room->probes, room->hits, room->asks, room->work );
 }
 
 static int benchWalkRanges( void* context )
@@ -152,6 +153,7 @@ static benchRoom* benchMakeRoom( benchHerd* herd )
 	room->herd = herd;
 	room->probes = benchAlloc( (size_t)herd->probeCapacity, sizeof *room->probes );
 	room->hits = benchAlloc( (size_t)herd->probeCapacity, sizeof *room->hits );
+	room->work = benchAlloc( 1, soleCrowd_GetWorkSize( herd->crowd, RANGE ) );
 	benchStartWalker( herd->walk, benchMethods, benchGetStart( 0 ), 0, &room->walker );
 	return room;
 }
@@ -188,6 +190,7 @@ static void benchFreeHerd( benchHerd* herd )
 	{
 		free( herd->rooms[i]->probes );
 		free( herd->rooms[i]->hits );
+		free( herd->rooms[i]->work );
 		free( herd->rooms[i] );
 	}
 	soleDestroyCrowd( herd->crowd );

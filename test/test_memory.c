@@ -89,6 +89,7 @@ static void aCrowdAsksForNone( void** state )
 	soleCrowd* crowd = NULL;
 	assert_int_equal( soleCreateCrowd( &def, NULL, &crowd, NULL ), sole_success );
 	void* saved = malloc( soleCrowd_GetByteCount( crowd ) );
+	void* work = malloc( soleCrowd_GetWorkSize( crowd, CROWD ) );
 	soleCrowdId last = SOLE_NO_CHARACTER;
 	int32_t before = s_calls;
 	for ( int32_t k = 0; k < CROWD; ++k )
@@ -101,18 +102,19 @@ static void aCrowdAsksForNone( void** state )
 	for ( int32_t i = 0; i < 30; ++i )
 	{
 		int32_t count = soleCrowd_GetCount( crowd );
-		int32_t asked = soleGatherCrowd( crowd, 0, count, frames, probes, CROWD * SOLE_MAX_PROBES, asks );
+		int32_t asked = soleGatherCrowd( crowd, 0, count, frames, probes, CROWD * SOLE_MAX_PROBES, asks, work );
 		for ( int32_t k = 0; k < asked; ++k )
 		{
 			testCastAt( &run.ground, probes + k, hits + k );
 		}
-		soleSolveCrowd( crowd, 0, count, frames, probes, hits, asks );
+		soleSolveCrowd( crowd, 0, count, frames, probes, hits, asks, work );
 		soleRemoveFromCrowd( crowd, last );
 		last = soleAddToCrowd( crowd );
 	}
 	soleSaveCrowd( crowd, saved );
 	assert_true( soleRestoreCrowd( crowd, saved, soleCrowd_GetByteCount( crowd ) ) );
 	assert_int_equal( s_calls, before );
+	free( work );
 	free( saved );
 	soleDestroyCrowd( crowd );
 	testEndRun( &run );

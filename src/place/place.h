@@ -29,7 +29,9 @@ enum
 	sole_stateTooLow = 1 << 12,  // which was out of reach
 	sole_stateTooHigh = 1 << 13,
 	sole_stateTooSteep = 1 << 14,
-	sole_stateAsleep = 1 << 15, // one probe was asked for
+	sole_stateAsleep = 1 << 15,  // one probe was asked for
+	sole_stateRunning = 1 << 16, // what the character does, the same in all legs
+	sole_stateAirborne = 1 << 17,
 };
 
 /// What the ground is like at one place that was asked for.
@@ -179,9 +181,25 @@ typedef struct soleBounds
 	bool any;
 } soleBounds;
 
+/// What angles among the settings come to.
+typedef struct soleAngles
+{
+	float steepestTilt; // rise per length that a sole is tilted by at most
+	soleHalf walkable;  // of the steepest slope that can be walked on
+	soleHalf toesUp;
+	soleHalf toesDown;
+	float toesLeast, toesMost; // slopes that toes can follow
+	float lockTurn;            // tan of a quarter of the angle at which a lock is given up
+} soleAngles;
+
 /// One character during a frame.
 typedef struct solePlaceWork
 {
+	// Given by who begins the frame: room for as many as the rig has.
+	soleTransform* slots;
+	soleLegWork* legs;
+	soleGroundSample ( *samples )[SOLE_MAX_PROBES_PER_LEG];
+
 	const soleRig* rig;
 	const soleSettings* settings;
 	const soleFrame* frame;
@@ -197,6 +215,7 @@ typedef struct solePlaceWork
 	float rootScale;
 	float timeStep;
 	bool first;            // nothing is remembered
+	bool ticks;            // the ground is asked in this frame (tick.c)
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
 	soleBounds bounds;     // of the pelvis
@@ -205,16 +224,26 @@ typedef struct solePlaceWork
 	float second;          // weight of the second pose in this frame
 	float weight;          // of the whole: the largest of the legs'
 	soleVec3 balance;      // and sideways, horizontal
-	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
-	float bodyGround;      // height of the ground that the body is over
-	float bodyBefore;      // the same by what the last frame knew
+	soleVec3 hipShift;     // of that, what steep steps want
+	soleAngles angles;
+	float carriedUp;  // how far along up the bodies that legs stand on have moved since the last frame
+	float bodyGround; // height of the ground that the body is over
+	float bodyBefore; // the same by what the last frame knew
 	int32_t legCount;
+} solePlaceWork;
 
-	// From here on as many as the rig has are written before they are read: a frame does not clear them all.
+/// Room for one of any rig. What is read has been written before: it is not cleared.
+typedef struct solePlaceRoom
+{
 	soleTransform slots[SOLE_MAX_SLOTS];
 	soleLegWork legs[SOLE_MAX_LEGS];
 	soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
-} solePlaceWork;
+} solePlaceRoom;
+
+static inline solePlaceWork soleWorkIn( solePlaceRoom* room )
+{
+	return ( solePlaceWork ){ .slots = room->slots, .legs = room->legs, .samples = room->samples };
+}
 
 static inline soleVec3 soleHorizontal( const solePlaceWork* work, soleVec3 v )
 {
@@ -239,6 +268,15 @@ static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point
 	return ( solePlane ){ point, soleNormalizeOr( soleSub( work->up, gradient ), work->up ), gradient };
 }
 
+/// The frame's root in near space: rotation of unit length.
+static inline soleTransform soleGetNearRoot( const solePlaceWork* work )
+{
+	return ( soleTransform ){ { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( work->frame->root.rotation ),
+		work->frame->root.scale };
+}
+
+/// The turn about up that points the toes outwards, away from the other side of the body.
+soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg );
 /// Share of a slope that a sole follows.
 float soleFindAlign( const solePlaceWork* work, soleVec3 gradient );
 /// The part of a foot's place that ground of some normal adds: the ankle stands over its animated place, so the sole
@@ -295,6 +333,12 @@ static inline float soleLongestRigLeg( const solePlaceWork* work )
 	return longest * work->rootScale;
 }
 
+/// Its root goes on: not exactly zero, which no measured speed is.
+static inline bool soleIsMoving( const solePlaceWork* work )
+{
+	return work->rootSpeed > 0.01f * soleLongestRigLeg( work ); // per second
+}
+
 /// Sine of the flexion below which the rig's hinge is leaned on.
 #define SOLE_NEARLY_STRAIGHT 0.05f
 
@@ -336,17 +380,17 @@ typedef struct soleLegHits
 } soleLegHits;
 
 /// What gathering and solving have in common: everything up to where the soles are. The state is taken in, and may be
-/// changed; the output is written to by stages.
+/// changed; the output is left to soleEndFrame(). Settings in their ranges, a frame that is usable.
+/// @param work with its room
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out );
-/// A whole frame, all that its stages found left in the work. Settings in their ranges, a frame that is usable.
-void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
-    const soleFrame* frame, const soleLegHits* hits, soleOutput* output );
+/// The rest of a frame that was begun, all that its stages found left in the work.
+void soleEndFrame( solePlaceWork* work, const soleLegHits* hits );
+/// The same of several, to the bit.
+/// @param width of the kernel that their legs go through
+void soleEndFrames( solePlaceWork* const* works, const soleLegHits* hits, int32_t count, int32_t width );
 /// The answers to soleGatherProbes(), by leg.
 soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount );
-/// The same, and remembered.
-void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
-    const soleLegHits* hits, soleOutput* output );
 /// Nothing that is not finite leaves, whatever came in.
 void soleScrubOutput( const soleRig* rig, soleOutput* output );
 /// The output of a frame that is not usable.
@@ -355,6 +399,7 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 /// @param scratch what is returned, where they had to be changed
 const soleSettings* soleCleanSettings( const soleRig* rig, const soleSettings* settings, soleSettings* scratch );
+soleAngles soleTakeAngles( const soleSettings* settings );
 bool soleIsFrameUsable( const soleFrame* frame );
 /// A state that is usable in this frame's world: the default one where it was not.
 void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );
@@ -368,20 +413,31 @@ void soleBlendWeights( solePlaceWork* work, soleLegWork* leg );
 void soleCarryLegs( solePlaceWork* work );
 void soleRememberBodies( solePlaceWork* work );
 
+/// In place of the stages from the learning of steps to the pelvis, where settings ask for the filter by ticks: the
+/// clock and where the ground is asked, the answers, body and legs, and what is shown of them in the end.
+void soleCountTick( solePlaceWork* work );
+void soleKeepTick( solePlaceWork* work );
+void soleFollowTick( solePlaceWork* work );
+void soleRememberShown( solePlaceWork* work );
+
 /// The stages. Each reads what those before it wrote.
 
 /// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.
 void soleSense( solePlaceWork* work );
 /// When and where feet in flight will come down.
 void soleForesee( solePlaceWork* work );
-/// Probe k of a leg, below soleProbesPerLeg(). @return false: it is not asked, has no length and no place
-bool soleAskGround( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleProbe* probe );
+/// What a leg asks, as far as there is room. @return how many probes that takes, at most soleProbesPerLeg()
+int32_t soleAskGround( const solePlaceWork* work, const soleLegWork* leg, soleProbe* probes, int32_t capacity );
+/// A probe of a leg that is not asked: of no length, at no place.
+soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg );
 /// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
 void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 /// Hits to the plane that carries the sole.
 void soleFindSupport( solePlaceWork* work, const soleLegHits* hits );
 /// Which part of the foot is on the ground, and since when.
 void soleUpdateContact( solePlaceWork* work );
+/// What the character is doing, and how strongly its feet are placed for that.
+void soleFindActivity( solePlaceWork* work );
 /// How long a step took and where it went, for the next.
 void soleLearnSteps( solePlaceWork* work );
 /// Feet that stand but have been left behind step over.
@@ -394,19 +450,30 @@ void soleUpdateLocks( solePlaceWork* work );
 void soleSetTargets( solePlaceWork* work );
 /// Whose ground is out of reach.
 void soleClassReach( solePlaceWork* work );
-/// How much of the second pose the ground demands.
+/// How much of a second pose the ground demands.
 void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.
 void soleFindBodyGround( solePlaceWork* work );
+/// What the same demand does without one: lean, hips, knees.
+void soleAddLayer( solePlaceWork* work );
 /// One height that all legs can live with.
 void soleMovePelvis( solePlaceWork* work );
+/// The last stages go leg by leg.
+
 /// Heel lift, reach, two-bone.
-void soleSolveLegs( solePlaceWork* work );
+void soleSolveLeg( const solePlaceWork* work, soleLegWork* leg );
 /// Range of motion: turns what the solved leg's ankle cannot do into new targets for a second solve.
-void soleLimitAnkles( solePlaceWork* work );
-/// The same again, for those.
-void soleSolveLimitedLegs( solePlaceWork* work );
+void soleLimitAnkle( const solePlaceWork* work, soleLegWork* leg );
 /// Alignment and toes; writes the output.
-void soleAlignAnkles( solePlaceWork* work );
+void soleAlignAnkle( const solePlaceWork* work, soleLegWork* leg );
+/// All of them, and those after the first.
+void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg );
+void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg );
+
+/// What soleSolveLeg() does before the two bones are solved, and after.
+void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def );
+void soleTakeLeg( const solePlaceWork* work, soleLegWork* leg, soleVec3 reached, uint32_t flags );
+/// As animated, world.
+soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot );
 
 #endif

@@ -9,14 +9,13 @@
 
 static bool soleTransform_IsFinite( soleTransform t )
 {
-	return soleAreFinite( &t, sizeof t );
+	return soleVec3_IsFinite( t.translation ) && soleQuat_IsFinite( t.rotation ) && soleVec3_IsFinite( t.scale );
 }
 
 static void soleEvaluateSlots( solePlaceWork* work )
 {
 	const soleRig* rig = work->rig;
-	soleTransform root = { { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( work->frame->root.rotation ),
-		work->frame->root.scale };
+	soleTransform root = soleGetNearRoot( work );
 	for ( int32_t i = 0; i < rig->slotCount; ++i )
 	{
 		soleTransform local = soleReadPose( work->frame, work->second, rig->slotJoints[i] );

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Tilt: how far a sole tilts with the ground. It follows a share of the slope, up to a furthest angle; where it stands
-// under its ankle, and how long it is seen from above, go by that tilt and not by the ground's.
+// Tilt: how far a sole tilts with the ground, and is turned outwards. It follows a share of the slope, up to a furthest
+// angle; where it stands under its ankle, and how long it is seen from above, go by that tilt and not by the ground's.
 #include "place/place.h"
 
 float soleFindAlign( const solePlaceWork* work, soleVec3 gradient )
 {
-	const soleSettings* s = work->settings;
-	soleHalf half = soleHalfFromAngle( s->target.maxTilt );
-	float cosine = half.c * half.c - half.s * half.s;
-	float steepest = 2.0f * half.c * half.s / soleMaxF( cosine, 1e-3f );
+	float align = work->settings->target.align;
 	float steep = soleLength( gradient );
-	return steep * s->target.align > steepest ? steepest / steep : s->target.align;
+	return steep * align > work->angles.steepestTilt ? work->angles.steepestTilt / steep : align;
 }
 
 /// The normal of a sole on ground of some normal.
@@ -23,8 +20,7 @@ static soleVec3 soleTilt( const solePlaceWork* work, soleVec3 normal )
 	}
 	soleVec3 gradient = soleScale( -1.0f / up, soleHorizontal( work, normal ) );
 	float align = soleFindAlign( work, gradient );
-	soleVec3 tilted = soleNormalizeOr( soleMulAdd( work->up, -align, gradient ), work->up );
-	return align < 1.0f ? tilted : normal;
+	return align < 1.0f ? soleNormalizeOr( soleMulAdd( work->up, -align, gradient ), work->up ) : normal;
 }
 
 soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWork* leg, soleVec3 normal )
@@ -44,4 +40,14 @@ soleFootprint soleMakeFootprint( const solePlaceWork* work, soleVec3 ball, soleV
 	float along = work->rootScale * ( 1.0f - pitch * pitch * perLean );
 	float across = work->rootScale * ( 1.0f - roll * roll * perLean );
 	return ( soleFootprint ){ ball, forward, side, along, across };
+}
+
+soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	float left = rig->def.side == sole_left ? work->settings->target.toeOutLeft : 0.0f;
+	float angle = rig->def.side == sole_right ? work->settings->target.toeOutRight : left;
+	// A positive turn about up takes the heading away from the foot's side vector.
+	float sign = rig->outerSide >= rig->innerSide ? -1.0f : 1.0f;
+	return soleHalfRotation( work->up, soleHalfFromAngle( sign * angle ) );
 }
