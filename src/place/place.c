@@ -217,7 +217,7 @@ void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
 	{
 		soleFinishLeg( work, work->legs + i );
 	}
-	SOLE_STAGE_END( "leg" );
+	SOLE_STAGE_END( "leg and ankle" );
 	soleCloseFrame( work );
 }
 
