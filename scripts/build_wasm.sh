@@ -34,34 +34,46 @@ stageNames=( malloc free soleReplayTrace )
 
 target=( --target=wasm32-wasi --sysroot=/usr )
 # Small before fast: a solve takes microseconds either way. No contraction, for the same bits as everywhere.
-flags=( "${target[@]}" -nostdlibinc -idirafter /usr/include/wasm32-wasi -std=c11 -Oz -flto -DNDEBUG
-	-ffp-contract=off -fno-math-errno -fno-builtin-malloc -fno-builtin-calloc
-	-mnontrapping-fptoint -msign-ext -mbulk-memory
+features=( -Oz -mnontrapping-fptoint -msign-ext -mbulk-memory )
+flags=( "${target[@]}" "${features[@]}" -nostdlibinc -idirafter /usr/include/wasm32-wasi -std=c11 -DNDEBUG
+	-DSOLE_SETTING_TEXTS=0 -ffp-contract=off -fno-math-errno -fno-builtin-malloc -fno-builtin-calloc
 	-Wall -Wextra -pedantic -Wshadow -Wconversion -Wundef -Wdouble-promotion -Werror -Iinclude -Isrc -I$binding )
-optimize=( -Oz --low-memory-unused --converge --strip-producers --const-hoisting
+# All of it is made small at once, as one program: what headers have put into every file is merged while it is still the
+# same everywhere, before it is inlined and specialised, and what looks alike afterwards becomes a function of its own.
+passes='internalize,globaldce,mergefunc,lto<Oz>'
+passes+=',function(simplifycfg<sink-common-insts;hoist-common-insts>,gvn-hoist,dse,adce)'
+passes+=',iroutliner,function(sroa,instcombine,simplifycfg),globaldce'
+# What code generation calls by itself, besides what is exported.
+runtime=( malloc calloc free memcpy memmove memset strlen )
+optimize=( --low-memory-unused --flatten --rereloop -Oz -Oz --strip-producers --const-hoisting
 	--enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext )
 
-# compile FOLDER SOURCE FLAG...: all sources below a folder, or one.
+# compile FOLDER SOURCE FLAG...: all sources below a folder, or one, as bitcode that is not optimised yet.
 compile()
 {
 	local folder=$output/$1 source=$2
 	shift 2
 	mkdir -p "$folder"
-	find "$source" -name '*.c' -not -name fields.c -print0 | sort -z |
+	find "$source" -name '*.c' \( -not -name fields.c -o -path "$source" \) -print0 | sort -z |
 		xargs -0 -P 2 -I FILE bash -c '
 			folder=$1 file=$2
 			shift 2
-			clang-14 "$@" -c "$file" -o "$folder/$( tr / _ <<< "${file%.c}" ).o"' _ "$folder" FILE "${flags[@]}" "$@"
+			clang-14 "$@" -emit-llvm -Xclang -disable-llvm-passes -c "$file" -o "$folder/$( tr / _ <<< "${file%.c}" ).bc"' _ "$folder" FILE "${flags[@]}" "$@"
 }
 
 # link OBJECTS OUT EXPORT...: the stack lies below everything else, so that running out of it stops the call instead of
 # overwriting what is there.
 link()
 {
-	local objects=$output/$1 out=$2
+	local objects=$output/$1 out=$2 whole=$output/whole
 	shift 2
-	clang-14 "${target[@]}" -nostartfiles -mexec-model=reactor -flto "$objects"/*.o -o "$out" \
-		-Wl,--no-entry,--strip-all,--gc-sections,--lto-O2,--stack-first,-z,stack-size=524288 "${@/#/-Wl,--export=}"
+	local kept=( "${runtime[@]}" "$@" )
+	llvm-link-14 "$objects"/*.bc -o $whole.bc
+	opt-14 -passes="$passes" -internalize-public-api-list="$( IFS=,; echo "${kept[*]}" )" $whole.bc -o $whole.small.bc
+	clang-14 "${target[@]}" "${features[@]}" -mllvm -disable-lsr -c $whole.small.bc -o $whole.o
+	clang-14 "${target[@]}" -nostartfiles -mexec-model=reactor $whole.o -o "$out" \
+		-Wl,--entry=__wasm_call_ctors,--strip-all,--gc-sections,--stack-first,-z,stack-size=524288 "${@/#/-Wl,--export=}"
+	rm $whole.bc $whole.small.bc $whole.o
 }
 
 # build SUFFIX FLAG WASM-OPT-FLAG
@@ -94,9 +106,10 @@ compile objects src/place/place.c -include $binding/page/stage_hook.h
 page sole-stages "${stageNames[@]}"
 rm -rf $output/sole.raw.wasm $output/objects $output/objects-simd
 
-mkdir -p $output/fields
-clang-14 "${flags[@]}" -c $binding/fields.c -o $output/fields/fields.o
-link fields $output/fields.wasm soleWasm_GetFields soleWasm_CountFields
+compile fields $binding/fields.c
+compile fields $binding/memory.c
+compile fields src/rig/settings.c -USOLE_SETTING_TEXTS
+link fields $output/fields.wasm malloc soleWasm_GetFields soleWasm_CountFields soleGetSettingInfos
 cp $binding/page/*.js $binding/page/*.d.ts $output/page/
 cp $binding/*.js $binding/*.d.ts $binding/package.json $binding/README.md LICENSE $output/
 node $output/make_layout.js $output/fields.wasm > $output/layout.js

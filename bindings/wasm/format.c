@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Messages for people, formatted as the C library would: the module has none of its own for this, which would be a
 // tenth of its size and want to be handed a file system. Understands what the library's messages use: %d %u %zu %s %f
-// %g with a precision, and %%. Numbers are right to nine digits.
+// %g with a precision, and %%. Numbers are right to nine digits. For the same reason strncpy() is here.
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -197,4 +197,15 @@ int snprintf( char* text, size_t capacity, const char* format, ... )
 	int count = vsnprintf( text, capacity, format, arguments );
 	va_end( arguments );
 	return count;
+}
+
+char* strncpy( char* to, const char* from, size_t count )
+{
+	bool ended = false;
+	for ( size_t i = 0; i < count; ++i )
+	{
+		ended = ended || from[i] == 0;
+		to[i] = ended ? 0 : from[i];
+	}
+	return to;
 }

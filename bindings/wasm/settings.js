@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Settings by their dotted names, and as the JSON that the program sole reads and writes.
+import { settingTexts } from "./layout.js";
 import { refuse, sizeOf } from "./memory.js";
 
 const kinds = ["number", "choice", "mask"];
@@ -15,14 +16,15 @@ export function readSettingInfos(module) {
 			const at = table + i * sizeOf("soleSettingInfo");
 			const get = (field) => memory.get("soleSettingInfo", at, field);
 			const text = (field) => memory.getText("soleSettingInfo", at, field);
+			const name = text("name");
 			return Object.freeze({
-				name: text("name"),
+				name,
 				unit: text("unit"),
 				kind: kinds[get("type")],
 				minimum: get("minimum"),
 				maximum: get("maximum"),
 				default: get("defaultValue"),
-				text: text("text"),
+				text: settingTexts[name],
 				at,
 			});
 		});

@@ -5,17 +5,27 @@
 
 #include <string.h>
 
+// A build that has to be small, and shows the sentences from elsewhere or not at all, leaves them out.
+#ifndef SOLE_SETTING_TEXTS
+#define SOLE_SETTING_TEXTS 1
+#endif
+#if SOLE_SETTING_TEXTS
+#define SENTENCE( text ) text
+#else
+#define SENTENCE( text ) ""
+#endif
+
 #define FLOAT( field, unit, low, high, value, text )                                                                   \
 	{                                                                                                                  \
-#field, unit, sole_settingFloat, offsetof( soleSettings, field ), low, high, value, text                       \
+#field, unit, sole_settingFloat, offsetof( soleSettings, field ), low, high, value, SENTENCE( text )           \
 	}
 #define ENUM( field, high, value, text )                                                                               \
 	{                                                                                                                  \
-#field, "", sole_settingEnum, offsetof( soleSettings, field ), 0, high, value, text                            \
+#field, "", sole_settingEnum, offsetof( soleSettings, field ), 0, high, value, SENTENCE( text )                \
 	}
 #define MASK( field, text )                                                                                            \
 	{                                                                                                                  \
-#field, "", sole_settingMask, offsetof( soleSettings, field ), 0, 4294967295.0, 4294967295.0, text             \
+#field, "", sole_settingMask, offsetof( soleSettings, field ), 0, 4294967295.0, 4294967295.0, SENTENCE( text ) \
 	}
 
 static const soleSettingInfo soleSettingInfos[] = {
