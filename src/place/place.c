@@ -113,6 +113,11 @@ static void soleWritePelvis( solePlaceWork* work )
 
 // ------------------------------------------------------------------------------------------------------- the frame
 
+static bool soleGoesByTicks( const solePlaceWork* work )
+{
+	return work->settings->support.filter == sole_filterTick;
+}
+
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out )
 {
@@ -125,7 +130,7 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	soleTakeState( rig, frame, state );
 	soleSetUpFrame( work );
 	soleSense( work );
-	if ( settings->support.filter == sole_filterTick )
+	if ( soleGoesByTicks( work ) )
 	{
 		soleCountTick( work );
 		return;
@@ -160,14 +165,13 @@ static void soleFindTargets( solePlaceWork* work )
 /// From the answers of the ground to where the pelvis goes.
 static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
 {
-	bool ticks = work->settings->support.filter == sole_filterTick;
 	solePassThrough( work->rig, work->frame, work->second, work->out );
 	soleFindSupport( work, hits );
-	ticks ? soleKeepTick( work ) : (void)0;
+	soleGoesByTicks( work ) ? soleKeepTick( work ) : (void)0;
 	SOLE_STAGE_END( "support" );
 	soleUpdateContact( work );
 	soleFindActivity( work );
-	ticks ? soleFollowTick( work ) : soleFindTargets( work );
+	soleGoesByTicks( work ) ? soleFollowTick( work ) : soleFindTargets( work );
 }
 
 void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg )
@@ -193,7 +197,7 @@ void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg )
 static void soleCloseFrame( solePlaceWork* work )
 {
 	soleState* state = work->state;
-	work->settings->support.filter == sole_filterTick ? soleRememberShown( work ) : (void)0;
+	soleGoesByTicks( work ) ? soleRememberShown( work ) : (void)0;
 	soleRememberBodies( work );
 	soleWritePelvis( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
@@ -213,7 +217,7 @@ void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
 	{
 		soleFinishLeg( work, work->legs + i );
 	}
-	SOLE_STAGE_END( "leg" );
+	SOLE_STAGE_END( "leg and ankle" );
 	soleCloseFrame( work );
 }
 

@@ -280,7 +280,7 @@ static int32_t soleListPoints( const solePlaceWork* work, const soleLegWork* leg
 	}
 	if ( work->settings->support.filter == sole_filterTick )
 	{
-		*points = leg->soleCenter;
+		points[0] = leg->soleCenter;
 		return work->ticks ? 1 : 0;
 	}
 	if ( leg->reading )
