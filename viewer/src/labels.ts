@@ -13,12 +13,25 @@ export interface Label
 	view: number;
 }
 
+const MARGIN = 4; // pixels, to the edge of the view
+
 export class Labels
 {
 	private readonly box = find( 'labels' );
 
 	constructor( private readonly stage: Stage )
 	{
+	}
+
+	/// Whole in its own view, whichever way it would stand out of it.
+	private put( element: HTMLElement, at: THREE.Vector2, view: number ): void
+	{
+		const width = this.stage.viewSize.x;
+		element.style.maxWidth = `${Math.max( width - 2 * MARGIN, 0 )}px`;
+		const half = 0.5 * element.offsetWidth;
+		const [ least, most ] = [ view * width + half + MARGIN, ( view + 1 ) * width - half - MARGIN ];
+		element.style.left = `${Math.max( Math.min( at.x, most ), least )}px`;
+		element.style.top = `${at.y}px`;
 	}
 
 	show( labels: readonly Label[] ): void
@@ -39,8 +52,7 @@ export class Labels
 			}
 			if ( at !== null )
 			{
-				element.style.left = `${at.x}px`;
-				element.style.top = `${at.y}px`;
+				this.put( element, at, label.view );
 			}
 		} );
 	}

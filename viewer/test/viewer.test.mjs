@@ -282,7 +282,7 @@ test( 'every setting says what it is', async () =>
 		const said = await page.evaluate( () => [ ...document.querySelectorAll( '#page-settings .lil-controller' ) ].map( ( element ) =>
 		{
 			element.dispatchEvent( new FocusEvent( 'focusin' ) );
-			const card = document.getElementById( 'card' );
+			const card = document.querySelector( '.card' );
 			return { text: card.querySelector( 'p' ).textContent, drawn: card.querySelector( 'svg' ).children.length, facts: card.querySelectorAll( 'dd' ).length };
 		} ) );
 		const table = execFileSync( sole, [ 'settings' ], { encoding: 'utf8' } );
