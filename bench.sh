@@ -108,7 +108,7 @@ stages()
 	local names
 	names=$( sed -n 's/^void \(sole[A-Za-z]*\)( solePlaceWork\* work.*/\1/p' src/place/place.h | sort -u )
 	valgrind --tool=callgrind --callgrind-out-file=$build/solve.callgrind --toggle-collect=benchCounted \
-		$bench --count biped-solve > $build/solve.log 2>&1
+		$bench --count biped-solve/sole > $build/solve.log 2>&1
 	callgrind_annotate --inclusive=yes --threshold=100 $build/solve.callgrind | awk -v names="$names" '
 		BEGIN { n = split( names, list ); for ( i = 1; i <= n; ++i ) { wanted[list[i]] = 1 } }
 		match( $0, /:sole[A-Za-z]*/ ) {
@@ -141,7 +141,7 @@ writePage()
 
 		Straight down, from a metre over the ground to a metre below, over rolling ground of so many triangles of a
 		quarter of a metre; answers with point and normal. "In order" are the same questions sorted along a Z curve.
-		\`sole\` is asked one by one, \`sole-batch\` 40 at once by \`soleCastProbes()\`. \`five-rays\` are five under one
+		\`ray-flat\` and those after it are samples of the program. \`sole\` is asked one by one, \`sole-batch\` 40 at once by \`soleCastProbes()\`. \`five-rays\` are five under one
 		foot, asked at once. Spheres have a radius of 0.1 m. \`ray-field\` is a height field of as many triangles. Peers
 		are those that Debian has: Embree (robust; one ray, or five of a packet of eight), ODE and Bullet (without their
 		broad phases).
@@ -150,9 +150,9 @@ writePage()
 
 		![Cost of a question against triangles](performance-triangles.svg)
 
-		Building, and memory beyond the mesh itself (12 bytes a vertex, 12 a triangle):
+		Building, fitting to moved vertices in place, and memory beyond the mesh itself (12 bytes a vertex, 12 a triangle):
 
-		$( pivot '^(build|memory)-[0-9]' )
+		$( pivot '^(build|refit|memory)-[0-9]' )
 
 		## A frame
 
@@ -185,6 +185,10 @@ writePage()
 		started anew in every frame, which takes some 60 us: a host that keeps its threads does better where they are few.
 
 		$( pivot '^crowd-[fh]' )
+
+		A thousand characters in full detail over grounds of so many triangles, and over a flat plane:
+
+		$( pivot '^crowd-on-' )
 
 		$( pivot '^memory-(biped|crowd)' )
 

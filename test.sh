@@ -9,12 +9,12 @@ quick=no
 case "$*" in
 	'') ;;
 	--quick) quick=yes ;;
-	*) echo "usage: ./test.sh [--quick]    --quick: one configuration, no clang-tidy" >&2; exit 2 ;;
+	*) echo "usage: ./test.sh [--quick]    --quick: one configuration, without the checks of bits and clang-tidy" >&2; exit 2 ;;
 esac
 
 if [ $quick = yes ]; then
 	presets=( release )
-	echo "Tests Sole quickly: one configuration (gcc, optimised) and the checks but clang-tidy."
+	echo "Tests Sole quickly: one configuration (gcc, optimised) and the checks but bits and clang-tidy."
 else
 	presets=( release debug clang clang-debug sanitize )
 	echo "Tests Sole in full: gcc and clang, with and without optimisation, the sanitizers, and all checks."
@@ -30,13 +30,14 @@ report()
 	printf '%-7s %-34s %4d s\n' "$1" "$2" "$3"
 }
 
-# check NAME: runs test/checks/NAME.sh, which counts as one test.
+# check NAME: runs test/checks/NAME.sh, which counts as one test. What it leaves out is said.
 check()
 {
 	local start=$SECONDS log=$logs/check-$1.txt
 	if "test/checks/$1.sh" > "$log" 2>&1; then
 		passed=$(( passed + 1 ))
 		report ok "check $1" $(( SECONDS - start ))
+		grep 'left out' "$log" || true
 	else
 		failed=$(( failed + 1 ))
 		cat "$log"
@@ -74,6 +75,7 @@ check instructions
 check wasm
 check viewer
 if [ $quick = no ]; then
+	check bits
 	check tidy
 fi
 

@@ -2,6 +2,7 @@
 // A frame of a crowd by the calls of crowd.h: every character's root put on the ground, probes gathered, cast into
 // 100,000 triangles and the feet placed, a range of characters after the other as a host's jobs would. Each level of
 // detail, every frame and every fourth, by one thread and by two. Both take ranges from one counter until none is left.
+// And one crowd over grounds from a plane to a million triangles.
 #include "walkers.h"
 
 #include "sole/crowd.h"
@@ -15,7 +16,8 @@
 #define RANGE 64 // characters of a job
 #define WARM_FRAMES 4
 #define COUNTED_CHARACTERS 100
-#define SPIN_STEPS 4000000 // takes as long as a few thousand characters
+#define GROUNDS_CHARACTERS 1000 // over each kind of ground
+#define SPIN_STEPS 4000000      // takes as long as a few thousand characters
 
 static const char* const benchThreadNames[] = { "1-thread", "2-threads" };
 
@@ -26,6 +28,7 @@ typedef struct benchHerdKind
 	soleDetail detail;
 	int32_t interval;
 	int32_t count;
+	int64_t groundSize; // triangles. 0: a plane
 	// One crowd for all that time it: two of 100,000 at a time would be too much.
 	benchHerd* herd;
 	int32_t userCount;
@@ -46,6 +49,7 @@ typedef struct benchRoom
 	soleCrowdAsk asks[RANGE];
 	soleProbe* probes;
 	soleHit* hits;
+	void* work;
 } benchRoom;
 
 struct benchHerd
@@ -77,10 +81,10 @@ static void benchWalkRange( benchRoom* room, int32_t first, int32_t count )
 		benchPlaceWalker( herd->walk, herd->ground, benchGetStart( first + i ), number, &room->walker );
 		room->frames[i] = room->walker.frame;
 	}
-	int32_t asked =
-	    soleGatherCrowd( herd->crowd, first, count, room->frames, room->probes, herd->probeCapacity, room->asks );
+	int32_t asked = soleGatherCrowd(
+	    herd->crowd, first, count, room->frames, room->probes, herd->probeCapacity, room->asks, room->work );
 	soleCastProbes( herd->ground, room->probes, asked, room->hits );
-	soleSolveCrowd( herd->crowd, first, count, room->frames, room->probes, room->hits, room->asks );
+	soleSolveCrowd( herd->crowd, first, count, room->frames, room->probes, room->hits, room->asks, room->work );
 }
 
 static int benchWalkRanges( void* context )
@@ -149,6 +153,7 @@ static benchRoom* benchMakeRoom( benchHerd* herd )
 	room->herd = herd;
 	room->probes = benchAlloc( (size_t)herd->probeCapacity, sizeof *room->probes );
 	room->hits = benchAlloc( (size_t)herd->probeCapacity, sizeof *room->hits );
+	room->work = benchAlloc( 1, soleCrowd_GetWorkSize( herd->crowd, RANGE ) );
 	benchStartWalker( herd->walk, benchMethods, benchGetStart( 0 ), 0, &room->walker );
 	return room;
 }
@@ -157,7 +162,7 @@ static benchHerd* benchMakeHerd( const benchHerdKind* kind )
 {
 	benchHerd* herd = benchAlloc( 1, sizeof *herd );
 	herd->walk = benchGetWalk();
-	herd->ground = benchMakeWalkGround( GROUND_SIZE );
+	herd->ground = benchMakeWalkGround( kind->groundSize );
 	herd->crowd = benchMakeCrowd( herd->walk, kind->count );
 	herd->count = kind->count;
 	for ( int32_t i = 0; i < kind->count; ++i )
@@ -185,6 +190,7 @@ static void benchFreeHerd( benchHerd* herd )
 	{
 		free( herd->rooms[i]->probes );
 		free( herd->rooms[i]->hits );
+		free( herd->rooms[i]->work );
 		free( herd->rooms[i] );
 	}
 	soleDestroyCrowd( herd->crowd );
@@ -284,9 +290,8 @@ static void benchAddSpin( benchList* list )
 
 // ------------------------------------------------------------------------------------------------------------ adding
 
-static void benchAddHerd( benchList* list, const char* stem, benchHerdKind kind )
+static void benchAddHerd( benchList* list, const char* name, benchHerdKind kind )
 {
-	const char* name = benchName( stem, kind.count );
 	benchHerdKind* kept = benchAlloc( 1, sizeof *kept ); // as long as the list
 	*kept = kind;
 	// One range is nothing to share.
@@ -328,9 +333,18 @@ void benchAddCrowds( benchList* list, int64_t largest )
 	{
 		for ( int32_t count = 1; count <= 100000 && count <= largest; count *= count == 1 ? 100 : 10 )
 		{
-			benchAddHerd( list, kinds[i].stem,
-			    ( benchHerdKind ){ .detail = kinds[i].detail, .interval = kinds[i].interval, .count = count } );
+			benchAddHerd( list, benchName( kinds[i].stem, count ),
+			    ( benchHerdKind ){ .detail = kinds[i].detail,
+			        .interval = kinds[i].interval,
+			        .count = count,
+			        .groundSize = GROUND_SIZE } );
 		}
+	}
+	for ( int64_t size = 0; size <= 1000000 && size <= largest; size = size == 0 ? 10000 : 10 * size )
+	{
+		benchAddHerd( list, size == 0 ? "crowd-on-plane" : benchName( "crowd-on", size ),
+		    ( benchHerdKind ){
+		        .detail = sole_detailFull, .interval = 1, .count = GROUNDS_CHARACTERS, .groundSize = size } );
 	}
 	benchAddSpin( list );
 	benchAdd( list,

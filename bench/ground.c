@@ -119,6 +119,17 @@ static void benchRunBuild( void* context )
 	run->made = run->asking.peer->make( &run->mesh );
 }
 
+/// To where everything is already: as much work as to anywhere else.
+static void benchRunRefit( void* context )
+{
+	benchGroundRun* run = context;
+	soleGroundMesh groundMesh = benchDescribeMesh( &run->mesh );
+	soleGroundDef def = soleDefaultGroundDef();
+	def.meshes = &groundMesh;
+	def.meshCount = 1;
+	soleRefitGround( run->made, &def, NULL );
+}
+
 // ---------------------------------------------------------------------------------------------------------- memory
 
 /// What an allocator gave out and did not get back.
@@ -141,11 +152,7 @@ static void* benchOpenMemory( const void* argument )
 	benchMesh mesh = benchMakeMesh( asking );
 	double* bytes = benchAlloc( 1, sizeof *bytes );
 	soleAllocator allocator = { benchCountingAlloc, benchCountingFree, bytes };
-	soleGroundMesh groundMesh = soleDefaultGroundMesh();
-	groundMesh.vertices = mesh.vertices;
-	groundMesh.vertexCount = mesh.vertexCount;
-	groundMesh.indices = mesh.indices;
-	groundMesh.triangleCount = mesh.triangleCount;
+	soleGroundMesh groundMesh = benchDescribeMesh( &mesh );
 	soleGroundDef def = soleDefaultGroundDef();
 	def.meshes = &groundMesh;
 	def.meshCount = 1;
@@ -214,6 +221,17 @@ static void benchAddBuild( benchList* list, int64_t size )
 	}
 	benchAdd( list,
 	    ( benchCase ){
+	        .name = benchName( "refit", size ),
+	        .variant = benchSole.name,
+	        .unit = "triangle",
+	        .itemCount = size,
+	        .open = benchOpenGround,
+	        .argument = benchKeep( ( benchAsking ){ .peer = &benchSole, .size = size } ),
+	        .run = benchRunRefit,
+	        .close = benchCloseGround,
+	    } );
+	benchAdd( list,
+	    ( benchCase ){
 	        .name = benchName( "memory", size ),
 	        .variant = "sole",
 	        .unit = "bytes/triangle",
@@ -242,9 +260,9 @@ void benchAddGround( benchList* list, int64_t largest )
 		benchAddAsking( list, "sphere-in-order", asking, "sphere" );
 		benchAddBuild( list, size );
 	}
-	static const char* const scenes[][2] = { { "ray-stairs", "stairs" }, { "ray-rubble", "rubble" },
-		{ "ray-course", "course" } };
-	for ( int32_t i = 0; i < 3; ++i )
+	static const char* const scenes[][2] = { { "ray-flat", "flat" }, { "ray-stairs", "stairs" },
+		{ "ray-rubble", "rubble" }, { "ray-course", "course" } };
+	for ( int32_t i = 0; i < 4; ++i )
 	{
 		benchAddAsking( list, scenes[i][0], ( benchAsking ){ .scene = scenes[i][1] }, "ray" );
 	}

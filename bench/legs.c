@@ -218,7 +218,7 @@ void benchAddLegs( benchList* list )
 			        .variant = ways[k].variant,
 			        .unit = "leg",
 			        .itemCount = count,
-			        .counted = i == 0 && ways[k].width == 4,
+			        .counted = i == 0 && ( ways[k].width == 4 || ways[k].width == 8 ), // SSE2 and AVX2
 			        .open = benchOpenLegs,
 			        .argument = &asked[i][k],
 			        .run = ways[k].width > 0 ? benchRunLegs : benchRunOzzLegs,

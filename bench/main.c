@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The program sole_bench: times all cases, prints a table to stderr and CSV to stdout or a file.
-//   usage: sole_bench [--runs N] [--largest N] [--only TEXT] [-o FILE.csv] [--count CASE | --counted]
-// --count runs one case once, in benchCounted(), for those who count instructions; --counted lists which are meant.
+//   usage: sole_bench [--runs N] [--largest N] [--only TEXT] [-o FILE.csv] [--count CASE/VARIANT | --counted]
+// --count runs one case once, in benchCounted(), for those who count instructions, and fails where this machine does
+// not have it; --counted lists which are meant.
 #define _POSIX_C_SOURCE 199309L
 
 #include "bench.h"
@@ -199,18 +200,20 @@ static int benchRunAll( const benchList* list, const benchOptions* options )
 	return file != stdout && fclose( file ) != 0 ? 1 : 0;
 }
 
-/// Lists those whose instructions are counted as "CASE ITEMS", or runs one of them.
+/// Lists those whose instructions are counted as "CASE/VARIANT ITEMS", or runs one of them.
 static int benchCount( const benchList* list, const benchOptions* options )
 {
 	int status = options->listCounted ? 0 : 1;
 	for ( int32_t i = 0; i < list->count; ++i )
 	{
 		const benchCase* c = list->cases + i;
+		char name[128];
+		snprintf( name, sizeof name, "%s/%s", c->name, c->variant );
 		if ( options->listCounted && c->counted )
 		{
-			printf( "%s %lld\n", c->name, (long long)c->itemCount );
+			printf( "%s %lld\n", name, (long long)c->itemCount );
 		}
-		if ( options->listCounted == false && c->counted && strcmp( c->name, options->counted ) == 0 )
+		if ( options->listCounted == false && c->counted && strcmp( name, options->counted ) == 0 )
 		{
 			void* context = c->open( c->argument );
 			if ( context != NULL )
@@ -273,8 +276,8 @@ int main( int argc, char** argv )
 	if ( !benchReadOptions( argc, argv, &options ) )
 	{
 		fprintf( stderr,
-		    "usage: sole_bench [--runs N] [--largest N] [--only TEXT] [-o FILE.csv] [--count CASE | "
-		    "--counted]\n" );
+		    "usage: sole_bench [--runs N] [--largest N] [--only TEXT] [-o FILE.csv] "
+		    "[--count CASE/VARIANT | --counted]\n" );
 		return 2;
 	}
 	benchList list = { 0 };

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Sole's own ground among the peers.
-#include "peers.h"
-
-#include "sole/ground.h"
+#include "terrain.h"
 
 #define MOST_AT_ONCE 40 // probes, as of a few characters; the questions are a multiple of it
 
-static void* soleMakePeer( const benchMesh* mesh )
+soleGroundMesh benchDescribeMesh( const benchMesh* mesh )
 {
 	soleGroundMesh groundMesh = soleDefaultGroundMesh();
 	groundMesh.vertices = mesh->vertices;
 	groundMesh.vertexCount = mesh->vertexCount;
 	groundMesh.indices = mesh->indices;
 	groundMesh.triangleCount = mesh->triangleCount;
+	return groundMesh;
+}
+
+static void* soleMakePeer( const benchMesh* mesh )
+{
+	soleGroundMesh groundMesh = benchDescribeMesh( mesh );
 	soleGroundDef def = soleDefaultGroundDef();
 	def.meshes = &groundMesh;
 	def.meshCount = 1;

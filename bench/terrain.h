@@ -5,6 +5,8 @@
 
 #include "peers.h"
 
+#include "sole/ground.h"
+
 #define BENCH_CELL 0.25f
 
 /// Hills of 2 m, stones of 5 cm, corners off their grid by up to a fifth of a cell. As near to the count as a square of
@@ -15,6 +17,8 @@ float* benchMakeHeights( int64_t triangleCount, int32_t* countX );
 /// The triangles of a scene of scenarios/.
 benchMesh benchMakeSceneMesh( const char* id );
 void benchFreeMesh( benchMesh* mesh );
+/// As Sole takes it; points into it.
+soleGroundMesh benchDescribeMesh( const benchMesh* mesh );
 
 /// How questions follow one another.
 typedef enum benchOrder

@@ -52,8 +52,24 @@ soleVec3 benchGetStart( int32_t character )
 
 soleGround* benchMakeWalkGround( int64_t triangleCount )
 {
-	benchMesh mesh = benchMakeTerrain( triangleCount );
-	soleGround* ground = benchSole.make( &mesh );
+	soleGroundPlane plane = soleDefaultGroundPlane();
+	soleGroundDef def = soleDefaultGroundDef();
+	benchMesh mesh = { 0 };
+	soleGroundMesh groundMesh;
+	if ( triangleCount > 0 )
+	{
+		mesh = benchMakeTerrain( triangleCount );
+		groundMesh = benchDescribeMesh( &mesh );
+		def.meshes = &groundMesh;
+		def.meshCount = 1;
+	}
+	else
+	{
+		def.planes = &plane;
+		def.planeCount = 1;
+	}
+	soleGround* ground = NULL;
+	soleCreateGround( &def, NULL, &ground, NULL );
 	benchFreeMesh( &mesh );
 	if ( ground == NULL )
 	{

@@ -86,6 +86,7 @@ extern const int32_t benchMethodCount;
 soleVec3 benchGetStart( int32_t character );
 /// Made once, lives as long as the program.
 const benchWalk* benchGetWalk( void );
+/// @param triangleCount 0: a flat plane
 soleGround* benchMakeWalkGround( int64_t triangleCount );
 void benchStartWalker(
     const benchWalk* walk, const benchMethod* method, soleVec3 start, int32_t frameNumber, benchWalker* walker );

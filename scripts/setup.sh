@@ -64,6 +64,9 @@ needTest()
 	need clang-tidy-14 clang-tidy-14
 	need libcmocka-dev
 	need valgrind valgrind
+	need gcc-aarch64-linux-gnu aarch64-linux-gnu-gcc
+	need libc6-dev-arm64-cross
+	need qemu-user qemu-aarch64
 }
 
 # What Sole is compared with is installed for the comparison alone.

@@ -68,25 +68,6 @@ static inline soleGround* testMakeMeshGround( const testMesh* mesh, bool twoSide
 	return testMakeGround( &groundMesh, 1 );
 }
 
-static inline soleVec3 testRandomPoint( uint32_t* seed, float size )
-{
-	soleVec3 p;
-	p.x = testRandomFloat( seed, -size, size );
-	p.y = testRandomFloat( seed, -size, size );
-	p.z = testRandomFloat( seed, -size, size );
-	return p;
-}
-
-static inline soleVec3 testRandomDirection( uint32_t* seed )
-{
-	soleVec3 d = testRandomPoint( seed, 1.0f );
-	while ( soleDot( d, d ) > 1.0f || soleDot( d, d ) < 0.01f )
-	{
-		d = testRandomPoint( seed, 1.0f );
-	}
-	return soleNormalizeOr( d, soleVec( 0.0f, -1.0f, 0.0f ) );
-}
-
 /// Triangles of the given size, anywhere in a cube.
 static inline testMesh testMakeSoup( uint32_t seed, int32_t count, float cube, float size )
 {

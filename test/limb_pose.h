@@ -104,24 +104,6 @@ static inline soleQuat testRotationOf( const testPlace* place )
 	return ( soleQuat ){ (float)q[0], (float)q[1], (float)q[2], (float)q[3] };
 }
 
-static inline soleVec3 testRandomVec( uint32_t* seed, float size )
-{
-	float x = testRandomFloat( seed, -size, size );
-	float y = testRandomFloat( seed, -size, size );
-	return soleVec( x, y, testRandomFloat( seed, -size, size ) );
-}
-
-static inline soleVec3 testRandomUnit( uint32_t* seed )
-{
-	return soleNormalizeOr( testRandomVec( seed, 1.0f ), soleVec( 0.0f, 1.0f, 0.0f ) );
-}
-
-static inline soleQuat testRandomQuat( uint32_t* seed )
-{
-	soleVec3 v = testRandomVec( seed, 1.0f );
-	return soleNormalizeQuat( ( soleQuat ){ v.x, v.y, v.z, testRandomFloat( seed, -1.0f, 1.0f ) } );
-}
-
 static inline soleQuat testAbout( soleVec3 axis, float angle )
 {
 	float s = sinf( 0.5f * angle );
@@ -136,10 +118,10 @@ static inline void testMakePose( uint32_t* seed, float flexion, soleTransform* p
 		pose[i] = soleTransform_Identity();
 		pose[i].translation = soleVec( 0.0f, testRandomFloat( seed, 0.2f, 0.4f ), 0.0f );
 	}
-	pose[test_root].translation = testRandomVec( seed, 1.0f );
-	pose[test_root].rotation = testRandomQuat( seed );
-	pose[test_base].rotation = testRandomQuat( seed );
-	pose[test_upper].rotation = testRandomQuat( seed );
+	pose[test_root].translation = testRandomPoint( seed, 1.0f );
+	pose[test_root].rotation = testRandomTurn( seed );
+	pose[test_base].rotation = testRandomTurn( seed );
+	pose[test_upper].rotation = testRandomTurn( seed );
 	pose[test_twist].translation.y *= 0.5f;
 	pose[test_lower].translation.y *= 0.5f;
 	float twist = testRandomFloat( seed, -1.0f, 1.0f );
@@ -147,7 +129,7 @@ static inline void testMakePose( uint32_t* seed, float flexion, soleTransform* p
 	pose[test_twist].rotation = testAbout( along, twist );
 	pose[test_lower].rotation =
 	    soleMulQuat( testAbout( along, -twist ), testAbout( soleVec( 1.0f, 0.0f, 0.0f ), flexion ) );
-	pose[test_end].rotation = testRandomQuat( seed );
+	pose[test_end].rotation = testRandomTurn( seed );
 }
 
 /// In the plane x = 0.

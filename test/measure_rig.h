@@ -264,4 +264,24 @@ static inline void rigFree( void* block, size_t byteCount, void* user )
 	free( block );
 }
 
+/// All figures over a plane of that height and slope.
+static inline soleFigures rigMeasureOn( const rigMotion* m, const rigMotion* reference, float height, float slope )
+{
+	soleTerrain* terrain = rigMakePlane( height, slope );
+	soleMeasureDef def = rigMeasureDef( m, terrain );
+	def.reference = reference != NULL ? &reference->motion : NULL;
+	soleFigures figures;
+	soleMessage message = { { 0 } };
+	soleResult result = soleMeasureMotion( &def, NULL, &figures, &message );
+	assert_string_equal( message.text, "" );
+	assert_int_equal( result, sole_success );
+	soleDestroyTerrain( terrain );
+	return figures;
+}
+
+static inline soleFigures rigMeasure( const rigMotion* m )
+{
+	return rigMeasureOn( m, NULL, 0.0f, 0.0f );
+}
+
 #endif

@@ -160,6 +160,65 @@ static inline struct json_object* testGoodJson( const char* command )
 	return object;
 }
 
+// ------------------------------------------------------------------------------------------------------------ JSON
+
+// Checks that a path such as "legs[].sole.heel" is there, in every item of a list, which must not be empty.
+static inline void testHas( const char* what, struct json_object* object, const char* path )
+{
+	char key[64];
+	size_t length = strcspn( path, ".[" );
+	snprintf( key, sizeof key, "%.*s", (int)length, path );
+	struct json_object* value = NULL;
+	if ( json_object_object_get_ex( object, key, &value ) == 0 )
+	{
+		fail_msg( "%s: has no '%s'", what, path );
+	}
+	const char* rest = path + length;
+	bool list = strncmp( rest, "[]", 2 ) == 0;
+	rest += list ? 2 : 0;
+	rest += *rest == '.' ? 1 : 0;
+	if ( list && ( json_object_is_type( value, json_type_array ) == false || json_object_array_length( value ) == 0 ) )
+	{
+		fail_msg( "%s: '%s' is no list with something in it", what, path );
+	}
+	for ( size_t i = 0; list && *rest != 0 && i < json_object_array_length( value ); ++i )
+	{
+		testHas( what, json_object_array_get_idx( value, i ), rest );
+	}
+	if ( list == false && *rest != 0 )
+	{
+		testHas( what, value, rest );
+	}
+}
+
+static inline void testHasAll( const char* what, struct json_object* object, const char* const* paths )
+{
+	for ( ; *paths != NULL; ++paths )
+	{
+		testHas( what, object, *paths );
+	}
+}
+
+static inline struct json_object* testGet( struct json_object* object, const char* key )
+{
+	struct json_object* value = NULL;
+	if ( json_object_object_get_ex( object, key, &value ) == 0 )
+	{
+		fail_msg( "there is no '%s'", key );
+	}
+	return value;
+}
+
+// The figures that every measurement has.
+static inline void testHasFigures( const char* what, struct json_object* object )
+{
+	static const char* const paths[] = { "legs[].name", "legs[].penetration.mean", "legs[].penetration.p95",
+		"legs[].penetration.max", "legs[].hover.mean", "legs[].hover.p95", "legs[].hover.max", "legs[].contactShare",
+		"legs[].slide", "legs[].drift", "legs[].overExtended", "whole.kneeAccelerationRms", "whole.pelvisJerk",
+		"whole.largestJump", "ratios", "clip", "fps", NULL };
+	testHasAll( what, object, paths );
+}
+
 // ------------------------------------------------------------------------------------------------------- messages
 
 // Nothing may be left of a run that failed.
@@ -233,6 +292,15 @@ static inline void testEmptyFolder( const char* path )
 		free( file );
 	}
 	closedir( folder );
+}
+
+// Makes the test's own folder, with a folder for what is written in it, and empties both.
+static inline void testMakeFolders( void )
+{
+	mkdir( FOLDER, 0777 );
+	mkdir( FOLDER "/written", 0777 );
+	testEmptyFolder( FOLDER );
+	testEmptyFolder( FOLDER "/written" );
 }
 
 #endif

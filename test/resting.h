@@ -78,9 +78,21 @@ static inline soleGroundSample* testAddSample( testSole* s, float ahead, float a
 	return s->samples + i;
 }
 
+static inline soleRest testRestOn( testSole* s, bool line )
+{
+	s->work.angles = soleTakeAngles( &s->settings );
+	return soleRestSole( &s->work, &s->leg, soleMakeFootprint( &s->work, s->center, s->forward, s->work.up ), line );
+}
+
 static inline soleRest testRest( testSole* s )
 {
-	return soleRestSole( &s->work, &s->leg, soleMakeFootprint( &s->work, s->center, s->forward, s->work.up ), false );
+	return testRestOn( s, false );
+}
+
+/// Only places along the middle count.
+static inline soleRest testRestOnLine( testSole* s )
+{
+	return testRestOn( s, true );
 }
 
 /// Height of a plane over a place in the foot's own frame, as the samples' heights are given.

@@ -10,6 +10,8 @@
 
 #include <cmocka.h>
 
+#include "random.h"
+
 #include "sole/math.h"
 
 #include <stdio.h>
@@ -60,23 +62,6 @@ static inline void testNear3( soleVec3 a, soleVec3 b, float tolerance )
 	assert_float_equal( a.x, b.x, tolerance );
 	assert_float_equal( a.y, b.y, tolerance );
 	assert_float_equal( a.z, b.z, tolerance );
-}
-
-/// The same numbers in every run, on every machine: xorshift.
-static inline uint32_t testRandom( uint32_t* seed )
-{
-	uint32_t x = *seed;
-	x ^= x << 13;
-	x ^= x >> 17;
-	x ^= x << 5;
-	*seed = x;
-	return x;
-}
-
-/// Between low and high.
-static inline float testRandomFloat( uint32_t* seed, float low, float high )
-{
-	return low + ( high - low ) * ( (float)( testRandom( seed ) >> 8 ) / 16777216.0f );
 }
 
 #endif

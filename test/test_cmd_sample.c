@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The list of samples as JSON: the pieces of scenes, where their triangles are, and how they move.
+// `sole sample` from outside: every sample is written, and the list as JSON has the ways and the pieces of scenes,
+// where their triangles are, and how they move.
 #define _POSIX_C_SOURCE 200809L
 #define TEST_NAME "test_cmd_sample"
 #include "program_run.h"
@@ -73,15 +74,71 @@ static void piecesOfScenesAreListedAsTheyMove( void** state )
 	json_object_put( list );
 }
 
+static void everySampleIsWritten( void** state )
+{
+	(void)state;
+	testRun run = testGood( "sample --list" );
+	int count = 0;
+	for ( const char* line = run.out; *line != 0; line = strchr( line, '\n' ) + 1 )
+	{
+		char name[32];
+		assert_int_equal( sscanf( line, "%31s", name ), 1 );
+		char command[128];
+		snprintf( command, sizeof command, "sample %s -o written/%s.glb", name, name );
+		testDo( command );
+		snprintf( command, sizeof command, "written/%s.glb", name );
+		toolGltf* gltf = testOpenFile( testInFolder( command ) );
+		assert_true( toolGltf_GetModel( gltf )->meshCount > 0 );
+		toolFreeGltf( gltf );
+		++count;
+	}
+	assert_true( count >= 7 );
+	testEnd( &run );
+}
+
+static void samplesAreListedAsJsonWithTheirWays( void** state )
+{
+	(void)state;
+	testRun run = testGood( "sample --list --json" );
+	struct json_object* list = json_tokener_parse( run.out );
+	assert_non_null( list );
+	size_t count = json_object_array_length( list );
+	testRun plain = testGood( "sample --list" );
+	const char* line = plain.out;
+	for ( size_t i = 0; i < count; ++i, line = strchr( line, '\n' ) + 1 )
+	{
+		struct json_object* sample = json_object_array_get_idx( list, i );
+		const char* name = json_object_get_string( json_object_object_get( sample, "name" ) );
+		const char* text = json_object_get_string( json_object_object_get( sample, "text" ) );
+		assert_int_equal( strncmp( line, name, strlen( name ) ), 0 );
+		assert_non_null( strstr( line, text ) );
+		if ( strcmp( name, "stairs" ) == 0 )
+		{
+			struct json_object* path = json_object_object_get( sample, "path" );
+			assert_int_equal( json_object_array_length( path ), 2 );
+			struct json_object* last = json_object_array_get_idx( path, 1 );
+			assert_float_equal( (float)json_object_get_double( json_object_array_get_idx( last, 1 ) ), 8.46f, 1e-5f );
+		}
+	}
+	assert_int_equal( *line, '\0' );
+	json_object_put( list );
+	testEnd( &plain );
+	testEnd( &run );
+}
+
 static int testSetUp( void** state )
 {
 	(void)state;
-	mkdir( FOLDER, 0777 );
+	testMakeFolders();
 	return 0;
 }
 
 int main( void )
 {
-	const struct CMUnitTest tests[] = { cmocka_unit_test( piecesOfScenesAreListedAsTheyMove ) };
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test( everySampleIsWritten ),
+		cmocka_unit_test( samplesAreListedAsJsonWithTheirWays ),
+		cmocka_unit_test( piecesOfScenesAreListedAsTheyMove ),
+	};
 	return cmocka_run_group_tests( tests, testSetUp, NULL );
 }

@@ -56,6 +56,8 @@ typedef struct Fixture
 	soleCrowdAsk asks[MOST];
 	soleProbe probes[PROBES];
 	soleHit hits[PROBES];
+	void* work;
+	bool anew; // solving begins its frames anew
 } Fixture;
 
 static Fixture s_f;
@@ -75,6 +77,9 @@ static void begin( Fixture* f, int32_t capacity )
 	def.rig = f->biped.rig;
 	def.capacity = capacity;
 	assert_int_equal( soleCreateCrowd( &def, &s_allocator, &f->crowd, NULL ), sole_success );
+	f->work = malloc( soleCrowd_GetWorkSize( f->crowd, MOST ) );
+	assert_non_null( f->work );
+	memset( f->work, 0xa5, soleCrowd_GetWorkSize( f->crowd, MOST ) );
 	for ( int32_t i = 0; i < MOST; ++i )
 	{
 		Walker* w = f->walkers + i;
@@ -86,6 +91,7 @@ static void begin( Fixture* f, int32_t capacity )
 
 static void end( Fixture* f )
 {
+	free( f->work );
 	soleDestroyCrowd( f->crowd );
 	soleDestroyRig( f->biped.rig );
 	assert_int_equal( s_allocations, 0 );
@@ -143,14 +149,15 @@ static int32_t stepRange( Fixture* f, int32_t first, int32_t count, int32_t capa
 {
 	soleFrame* frames = f->frames + first;
 	soleCrowdAsk* asks = f->asks + first;
-	int32_t n = soleGatherCrowd( f->crowd, first, count, frames, f->probes, capacity, asks );
+	void* work = f->anew ? NULL : f->work;
+	int32_t n = soleGatherCrowd( f->crowd, first, count, frames, f->probes, capacity, asks, work );
 	assert_true( n <= capacity );
 	for ( int32_t i = 0; i < n; ++i )
 	{
 		assert_true( f->probes[i].length > 0.0f );
 		testCastAt( &f->ground, f->probes + i, f->hits + i );
 	}
-	soleSolveCrowd( f->crowd, first, count, frames, f->probes, f->hits, asks );
+	soleSolveCrowd( f->crowd, first, count, frames, f->probes, f->hits, asks, work );
 	return n;
 }
 
@@ -195,7 +202,8 @@ static void aCrowdGivesTheBitsOfEachAlone( void** state )
 			add( &s_f, 20 );
 		}
 		int32_t count = fillFrames( &s_f, (float)i / 60.0f );
-		// In two ranges.
+		// In two ranges, with what gathering found out or without.
+		s_f.anew = i % 3 == 2;
 		stepRange( &s_f, 0, count / 3, PROBES );
 		stepRange( &s_f, count / 3, count - count / 3, PROBES );
 		for ( int32_t k = 0; k < count; ++k )
@@ -486,6 +494,7 @@ typedef struct Half
 	int32_t count;
 	soleProbe probes[PROBES];
 	soleHit hits[PROBES];
+	void* work;
 } Half;
 
 static int solveHalf( void* user )
@@ -493,12 +502,12 @@ static int solveHalf( void* user )
 	Half* half = user;
 	soleFrame* frames = s_f.frames + half->first;
 	soleCrowdAsk* asks = s_f.asks + half->first;
-	int32_t n = soleGatherCrowd( s_f.crowd, half->first, half->count, frames, half->probes, PROBES, asks );
+	int32_t n = soleGatherCrowd( s_f.crowd, half->first, half->count, frames, half->probes, PROBES, asks, half->work );
 	for ( int32_t i = 0; i < n; ++i )
 	{
 		testCastAt( &s_f.ground, half->probes + i, half->hits + i );
 	}
-	soleSolveCrowd( s_f.crowd, half->first, half->count, frames, half->probes, half->hits, asks );
+	soleSolveCrowd( s_f.crowd, half->first, half->count, frames, half->probes, half->hits, asks, half->work );
 	return 0;
 }
 
@@ -513,6 +522,11 @@ static void twoThreadsGiveTheSameBits( void** state )
 	}
 	halves[0] = ( Half ){ .first = 0, .count = MOST / 2 };
 	halves[1] = ( Half ){ .first = MOST / 2, .count = MOST - MOST / 2 };
+	for ( int32_t k = 0; k < 2; ++k )
+	{
+		halves[k].work = malloc( soleCrowd_GetWorkSize( s_f.crowd, halves[k].count ) );
+		assert_non_null( halves[k].work );
+	}
 	for ( int32_t i = 0; i < 60; ++i )
 	{
 		fillFrames( &s_f, (float)i / 60.0f );
@@ -531,6 +545,8 @@ static void twoThreadsGiveTheSameBits( void** state )
 			sameBits( &s_f, k, walkerAt( &s_f, k ) );
 		}
 	}
+	free( halves[0].work );
+	free( halves[1].work );
 	end( &s_f );
 }
 

@@ -1,102 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Detection on skeletons made up here: every naming convention, no names, turned, mirrored, scaled and broken ones.
-#include "test.h"
-
-#include "sole/detect.h"
-#include "sole/sole.h"
-
-#define JOINT_LIMIT 32
-
-/// Joints of the made-up body: where they are, Y up, facing +Z, metres.
-enum
-{
-	joint_root,
-	joint_pelvis,
-	joint_spine,
-	joint_head,
-	joint_hipL,
-	joint_kneeL,
-	joint_ankleL,
-	joint_toeL,
-	joint_hipR,
-	joint_kneeR,
-	joint_ankleR,
-	joint_toeR,
-	joint_armL,
-	joint_handL,
-	joint_armR,
-	joint_handR,
-	joint_count
-};
-
-static const int32_t testParents[joint_count] = { SOLE_NONE, joint_root, joint_pelvis, joint_spine, joint_pelvis,
-	joint_hipL, joint_kneeL, joint_ankleL, joint_pelvis, joint_hipR, joint_kneeR, joint_ankleR, joint_spine, joint_armL,
-	joint_spine, joint_armR };
-static const soleVec3 testPlaces[joint_count] = {
-	{ 0.0f, 0.0f, 0.0f },
-	{ 0.0f, 0.98f, 0.0f },
-	{ 0.0f, 1.35f, -0.01f },
-	{ 0.0f, 1.6f, 0.0f },
-	{ 0.09f, 0.93f, 0.0f },
-	{ 0.1f, 0.5f, 0.02f },
-	{ 0.1f, 0.09f, -0.02f },
-	{ 0.1f, 0.02f, 0.11f },
-	{ -0.09f, 0.93f, 0.0f },
-	{ -0.1f, 0.5f, 0.02f },
-	{ -0.1f, 0.09f, -0.02f },
-	{ -0.1f, 0.02f, 0.11f },
-	{ 0.18f, 1.4f, 0.0f },
-	{ 0.7f, 1.4f, 0.0f },
-	{ -0.18f, 1.4f, 0.0f },
-	{ -0.7f, 1.4f, 0.0f },
-};
-
-typedef struct testBody
-{
-	int32_t parents[JOINT_LIMIT];
-	soleTransform bind[JOINT_LIMIT];
-	const char* names[JOINT_LIMIT];
-	soleJointRole roles[JOINT_LIMIT];
-	soleSkeleton skeleton;
-} testBody;
-
-static soleDetectReport testReport;
-
-/// Parent-local transforms with some rotation or other in every joint, as exporters make them.
-static void testPlaceBody(
-    testBody* body, const soleVec3* places, int32_t count, soleQuat turn, float scale, bool mirror )
-{
-	uint32_t seed = 7;
-	soleTransform world[JOINT_LIMIT];
-	for ( int32_t i = 0; i < count; ++i )
-	{
-		soleVec3 p = places[i];
-		p.x = mirror ? -p.x : p.x;
-		soleQuat q = { testRandomFloat( &seed, -1.0f, 1.0f ), testRandomFloat( &seed, -1.0f, 1.0f ),
-			testRandomFloat( &seed, -1.0f, 1.0f ), testRandomFloat( &seed, -1.0f, 1.0f ) };
-		world[i].translation = soleRotate( turn, soleScale( scale, p ) );
-		world[i].rotation = soleNormalizeQuat( q );
-		world[i].scale = soleVec( 1.0f, 1.0f, 1.0f );
-		int32_t parent = body->parents[i];
-		body->bind[i] = world[i];
-		if ( parent != SOLE_NONE )
-		{
-			body->bind[i].translation = soleInvTransformPoint( world[parent], world[i].translation );
-			body->bind[i].rotation = soleMulQuat( soleConjugate( world[parent].rotation ), world[i].rotation );
-		}
-	}
-	body->skeleton.jointCount = count;
-	body->skeleton.parents = body->parents;
-	body->skeleton.bindPose = body->bind;
-	body->skeleton.names = body->names;
-}
-
-static void testMakeBody( testBody* body, soleQuat turn, float scale, bool mirror )
-{
-	*body = ( testBody ){ 0 };
-	memcpy( body->parents, testParents, sizeof testParents );
-	testPlaceBody( body, testPlaces, joint_count, turn, scale, mirror );
-}
+// Detection on skeletons made up here: every naming convention, no names, turned, mirrored and scaled ones.
+#include "detect_body.h"
 
 static void testNameLegs( testBody* body, const char* const names[9] )
 {
@@ -121,44 +25,6 @@ static const soleLegDef* testFindLeg( const soleRigDef* def, soleSide side )
 		}
 	}
 	return NULL;
-}
-
-static int32_t testCount( soleSeverity severity )
-{
-	int32_t count = 0;
-	for ( int32_t i = 0; i < testReport.findingCount; ++i )
-	{
-		count += testReport.findings[i].severity == severity ? 1 : 0;
-	}
-	return count;
-}
-
-static void testPrint( void )
-{
-	for ( int32_t i = 0; i < testReport.findingCount; ++i )
-	{
-		const soleFinding* f = testReport.findings + i;
-		print_message( "  %d %s: %s [%s]\n", (int)f->severity, f->where, f->what, f->mend );
-	}
-}
-
-static soleRigDef testDetect( const testBody* body )
-{
-	soleRigDef def = soleDefaultRigDef();
-	soleResult result = soleDetectRig( &body->skeleton, &def, &testReport );
-	if ( result != sole_success || def.legCount != 2 )
-	{
-		testPrint();
-	}
-	assert_int_equal( result, sole_success );
-	soleMessage message;
-	soleResult valid = soleRigDef_Validate( &def, &message );
-	if ( valid != sole_success )
-	{
-		print_message( "%s\n", message.text );
-	}
-	assert_int_equal( valid, sole_success );
-	return def;
 }
 
 /// The made-up body's legs, whatever it is called.
@@ -470,62 +336,6 @@ static void fourLegsAreFourLegs( void** state )
 	}
 }
 
-// ------------------------------------------------------------------------------------------------------------ broken
-
-static soleResult testRefused( const soleSkeleton* skeleton )
-{
-	soleRigDef def = soleDefaultRigDef();
-	soleResult result = soleDetectRig( skeleton, &def, &testReport );
-	if ( result != sole_success )
-	{
-		assert_true( testCount( sole_error ) > 0 );
-		const soleFinding* last = testReport.findings + testReport.findingCount - 1;
-		assert_true( last->what[0] != 0 && last->mend[0] != 0 );
-	}
-	return result;
-}
-
-static void withoutLegsItSaysWhatItLookedFor( void** state )
-{
-	(void)state;
-	testBody body;
-	testMakeBody( &body, soleQuat_Identity(), 1.0f, false );
-	body.skeleton.jointCount = joint_hipL;
-	assert_int_equal( testRefused( &body.skeleton ), sole_notFound );
-	assert_non_null( strstr( testReport.findings[testReport.findingCount - 1].what, "looked for" ) );
-}
-
-static void brokenSkeletonsAreRefused( void** state )
-{
-	(void)state;
-	testBody body;
-	testMakeBody( &body, soleQuat_Identity(), 1.0f, false );
-	body.parents[joint_root] = joint_toeL;
-	assert_int_equal( testRefused( &body.skeleton ), sole_invalidDefinition );
-	body.parents[joint_root] = joint_root;
-	assert_int_equal( testRefused( &body.skeleton ), sole_invalidDefinition );
-	body.parents[joint_root] = 1000;
-	assert_int_equal( testRefused( &body.skeleton ), sole_invalidDefinition );
-	body.parents[joint_root] = -7;
-	assert_int_equal( testRefused( &body.skeleton ), sole_invalidDefinition );
-
-	testMakeBody( &body, soleQuat_Identity(), 1.0f, false );
-	body.bind[joint_kneeL].translation.y = NAN;
-	assert_int_equal( testRefused( &body.skeleton ), sole_invalidDefinition );
-	body.bind[joint_kneeL].translation.y = 3e38f;
-	assert_int_equal( testRefused( &body.skeleton ), sole_invalidDefinition );
-
-	testMakeBody( &body, soleQuat_Identity(), 0.0f, false );
-	assert_int_equal( testRefused( &body.skeleton ), sole_invalidDefinition );
-
-	soleSkeleton empty = { 0 };
-	assert_int_equal( testRefused( &empty ), sole_invalidDefinition );
-	empty.jointCount = INT32_MAX;
-	assert_int_equal( testRefused( &empty ), sole_invalidDefinition );
-	empty.jointCount = -5;
-	assert_int_equal( testRefused( &empty ), sole_invalidDefinition );
-}
-
 static void bonesWithoutLengthDoNotStopIt( void** state )
 {
 	(void)state;
@@ -538,88 +348,6 @@ static void bonesWithoutLengthDoNotStopIt( void** state )
 	soleResult result = soleDetectRig( &body.skeleton, &def, &testReport );
 	assert_true( result == sole_success || result == sole_notFound );
 	assert_true( testCount( sole_warning ) + testCount( sole_error ) > 0 );
-}
-
-/// A chain as long as a file can make it must neither hang nor overflow.
-static void endlessChainsAreRefused( void** state )
-{
-	(void)state;
-	const int32_t count = 65535;
-	int32_t* parents = calloc( (size_t)count, sizeof *parents );
-	soleTransform* bind = calloc( (size_t)count, sizeof *bind );
-	const char** names = calloc( (size_t)count, sizeof *names );
-	for ( int32_t i = 0; i < count; ++i )
-	{
-		static const char* const words[] = { "thigh_l", "calf_l", "foot_l", "ik_hand" };
-		parents[i] = i - 1;
-		bind[i] = soleTransform_Identity();
-		bind[i].translation.y = 0.001f;
-		names[i] = words[i % 4];
-	}
-	soleSkeleton skeleton = { .jointCount = count, .parents = parents, .bindPose = bind, .names = names };
-	assert_int_equal( testRefused( &skeleton ), sole_invalidDefinition );
-	for ( int32_t i = 0; i < count; ++i )
-	{
-		parents[i] = i % 900 == 0 ? ( i == 0 ? SOLE_NONE : 0 ) : i - 1;
-	}
-	soleRigDef def = soleDefaultRigDef();
-	soleDetectRig( &skeleton, &def, &testReport );
-	free( parents );
-	free( bind );
-	free( names );
-}
-
-/// Skeletons of random shape and numbers, some of them absurd: an answer, whatever it is.
-static void noiseIsAnswered( void** state )
-{
-	(void)state;
-	uint32_t seed = 12345;
-	static const char* const words[] = { "foot_l", "thigh_l", "calf_l", "foot_r", "LeftLeg", "RightUpLeg", "toe.L",
-		"" };
-	for ( int32_t round = 0; round < 400; ++round )
-	{
-		testBody body = { 0 };
-		int32_t count = 1 + (int32_t)( testRandom( &seed ) % JOINT_LIMIT );
-		soleSkinVertex skin[16];
-		for ( int32_t i = 0; i < count; ++i )
-		{
-			body.parents[i] = i == 0 ? SOLE_NONE : (int32_t)( testRandom( &seed ) % (uint32_t)i );
-			float size = testRandom( &seed ) % 8 == 0 ? 0.0f : ( testRandom( &seed ) % 64 == 0 ? 1e14f : 1.0f );
-			body.bind[i] = soleTransform_Identity();
-			body.bind[i].translation = soleVec( size * testRandomFloat( &seed, -1.0f, 1.0f ),
-			    size * testRandomFloat( &seed, -1.0f, 1.0f ), size * testRandomFloat( &seed, -1.0f, 1.0f ) );
-			body.names[i] = words[testRandom( &seed ) % 8];
-		}
-		for ( int32_t i = 0; i < 16; ++i )
-		{
-			skin[i].position = soleVec( testRandomFloat( &seed, -1.0f, 1.0f ), testRandomFloat( &seed, -1.0f, 1.0f ),
-			    testRandom( &seed ) % 9 == 0 ? NAN : 0.0f );
-			for ( int32_t k = 0; k < 4; ++k )
-			{
-				skin[i].joints[k] = (int32_t)( testRandom( &seed ) % 40 ) - 2;
-				skin[i].weights[k] = testRandomFloat( &seed, -0.5f, 1.0f );
-			}
-		}
-		body.skeleton.jointCount = count;
-		body.skeleton.parents = body.parents;
-		body.skeleton.bindPose = body.bind;
-		body.skeleton.names = body.names;
-		body.skeleton.skin = round % 2 == 0 ? skin : NULL;
-		body.skeleton.skinCount = round % 2 == 0 ? 16 : 0;
-		body.skeleton.samplePoses = body.bind;
-		body.skeleton.poseCount = 1;
-		soleRigDef def = soleDefaultRigDef();
-		soleMessage message;
-		if ( soleDetectRig( &body.skeleton, &def, &testReport ) == sole_success && testCount( sole_error ) == 0 )
-		{
-			soleResult valid = soleRigDef_Validate( &def, &message );
-			if ( valid != sole_success )
-			{
-				print_message( "%s\n", message.text );
-			}
-			assert_int_equal( valid, sole_success );
-		}
-	}
 }
 
 int main( void )
@@ -635,11 +363,7 @@ int main( void )
 		cmocka_unit_test( mirroredBodiesKeepNamesAndToes ),
 		cmocka_unit_test( aBodyMayFaceBackwards ),
 		cmocka_unit_test( fourLegsAreFourLegs ),
-		cmocka_unit_test( withoutLegsItSaysWhatItLookedFor ),
-		cmocka_unit_test( brokenSkeletonsAreRefused ),
 		cmocka_unit_test( bonesWithoutLengthDoNotStopIt ),
-		cmocka_unit_test( endlessChainsAreRefused ),
-		cmocka_unit_test( noiseIsAnswered ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );
 }

@@ -4,129 +4,14 @@
 #include "test.h"
 
 #include "base/math_internal.h"
+#include "leg_batch.h"
 #include "place/leg_wide.h"
 
-#define COUNT 4096
-#define IN 34
-#define OUT 15
-
-typedef struct Batch
+static void assertSame( const testBatch* a, const testBatch* b, int32_t width )
 {
-	float in[IN][COUNT];
-	float out[OUT][COUNT];
-	uint32_t flags[COUNT];
-	soleLegBatch batch;
-} Batch;
-
-static soleArray3 array3( float ( *rows )[COUNT] )
-{
-	return ( soleArray3 ){ rows[0], rows[1], rows[2] };
-}
-
-static soleArray4 array4( float ( *rows )[COUNT] )
-{
-	return ( soleArray4 ){ rows[0], rows[1], rows[2], rows[3] };
-}
-
-static void begin( Batch* b )
-{
-	memset( b, 0, sizeof *b );
-	b->batch = ( soleLegBatch ){
-		.count = COUNT,
-		.hip = array3( b->in + 0 ),
-		.knee = array3( b->in + 3 ),
-		.ankle = array3( b->in + 6 ),
-		.target = array3( b->in + 9 ),
-		.hinge = array3( b->in + 12 ),
-		.reach = b->in[15],
-		.fold = b->in[16],
-		.softZone = b->in[17],
-		.parent = array4( b->in + 18 ),
-		.thigh = array4( b->in + 22 ),
-		.shin = array4( b->in + 26 ),
-		.foot = array4( b->in + 30 ),
-		.thigh_l = array4( b->out + 0 ),
-		.shin_l = array4( b->out + 4 ),
-		.foot_l = array4( b->out + 8 ),
-		.reached = array3( b->out + 12 ),
-		.flags = b->flags,
-	};
-}
-
-static void put3( soleArray3 a, int32_t i, soleVec3 v )
-{
-	a.x[i] = v.x;
-	a.y[i] = v.y;
-	a.z[i] = v.z;
-}
-
-static void putTurn( soleArray4 a, int32_t i, uint32_t* seed )
-{
-	soleQuat q = { testRandomFloat( seed, -1.0f, 1.0f ), testRandomFloat( seed, -1.0f, 1.0f ),
-		testRandomFloat( seed, -1.0f, 1.0f ), testRandomFloat( seed, -1.0f, 1.0f ) };
-	q = soleNormalizeQuat( q );
-	a.x[i] = q.x;
-	a.y[i] = q.y;
-	a.z[i] = q.z;
-	a.w[i] = q.w;
-}
-
-static soleVec3 any3( uint32_t* seed, float size )
-{
-	return soleVec( testRandomFloat( seed, -size, size ), testRandomFloat( seed, -size, size ),
-	    testRandomFloat( seed, -size, size ) );
-}
-
-/// Legs as they are, straight and folded ones, targets in and out of reach, at the hip and behind.
-static void fillLegs( Batch* b, uint32_t seed )
-{
-	for ( int32_t i = 0; i < COUNT; ++i )
+	for ( int32_t i = 0; i < BATCH_COUNT; ++i )
 	{
-		soleVec3 hip = any3( &seed, 3.0f );
-		soleVec3 way = soleNormalizeOr( any3( &seed, 1.0f ), soleVec( 0.0f, -1.0f, 0.0f ) );
-		float bend = i % 5 == 0 ? 0.0f : testRandomFloat( &seed, 0.0f, 0.3f );
-		soleVec3 side = soleAnyOrthogonal( way );
-		soleVec3 knee = soleMulAdd( soleMulAdd( hip, 0.45f, way ), bend, side );
-		soleVec3 ankle = soleMulAdd( hip, i % 7 == 0 ? 0.1f : 0.9f, way );
-		soleVec3 target = soleAdd( ankle, any3( &seed, 0.4f ) );
-		target = i % 11 == 0 ? hip : ( i % 13 == 0 ? soleMulAdd( hip, -0.8f, way ) : target );
-		target = i % 17 == 0 ? ankle : target;
-		knee = i % 19 == 0 ? hip : knee;
-		put3( b->batch.hip, i, hip );
-		put3( b->batch.knee, i, knee );
-		put3( b->batch.ankle, i, ankle );
-		put3( b->batch.target, i, target );
-		put3( b->batch.hinge, i, i % 23 == 0 ? soleVec( 0.0f, 0.0f, 0.0f ) : soleCross( side, way ) );
-		b->batch.reach[i] = testRandomFloat( &seed, 0.9f, 1.0f );
-		b->batch.fold[i] = testRandomFloat( &seed, 0.0f, 0.4f );
-		b->batch.softZone[i] = i % 3 == 0 ? 0.0f : testRandomFloat( &seed, 0.0f, 0.1f );
-		putTurn( b->batch.parent, i, &seed );
-		putTurn( b->batch.thigh, i, &seed );
-		putTurn( b->batch.shin, i, &seed );
-		putTurn( b->batch.foot, i, &seed );
-	}
-}
-
-/// Numbers of every kind in any place.
-static void fillAnything( Batch* b, uint32_t seed )
-{
-	static const float odd[] = { 0.0f, -0.0f, INFINITY, -INFINITY, NAN, 1e-40f, 3e38f, -3e38f, 1e-13f, 1.0f };
-	fillLegs( b, seed );
-	for ( int32_t i = 0; i < COUNT; ++i )
-	{
-		for ( int32_t k = 0; k < 3; ++k )
-		{
-			uint32_t row = testRandom( &seed ) % IN;
-			b->in[row][i] = odd[testRandom( &seed ) % ( sizeof odd / sizeof *odd )];
-		}
-	}
-}
-
-static void assertSame( const Batch* a, const Batch* b, int32_t width )
-{
-	for ( int32_t i = 0; i < COUNT; ++i )
-	{
-		for ( int32_t k = 0; k < OUT; ++k )
+		for ( int32_t k = 0; k < BATCH_OUT; ++k )
 		{
 			float x = a->out[k][i], y = b->out[k][i];
 			bool none = x != x && y != y;
@@ -139,21 +24,21 @@ static void assertSame( const Batch* a, const Batch* b, int32_t width )
 	}
 }
 
-static Batch s_one, s_wide;
+static testBatch s_one, s_wide;
 
-static void compare( void ( *fill )( Batch*, uint32_t ) )
+static void compare( testFillBatchFcn* fill )
 {
 	const int32_t widths[] = { 4, 8, 16 };
 	for ( uint32_t seed = 1; seed < 9; ++seed )
 	{
-		begin( &s_one );
+		testBeginBatch( &s_one );
 		fill( &s_one, seed );
-		soleGetLegLanes( 1 )( &s_one.batch, 0, COUNT );
+		soleGetLegLanes( 1 )( &s_one.batch, 0, BATCH_COUNT );
 		for ( int32_t k = 0; k < 3 && widths[k] <= soleGetBatchWidth(); ++k )
 		{
-			begin( &s_wide );
+			testBeginBatch( &s_wide );
 			fill( &s_wide, seed );
-			soleGetLegLanes( widths[k] )( &s_wide.batch, 0, COUNT );
+			soleGetLegLanes( widths[k] )( &s_wide.batch, 0, BATCH_COUNT );
 			assertSame( &s_one, &s_wide, widths[k] );
 		}
 	}
@@ -163,9 +48,9 @@ static void everyLaneIsOneLeg( void** state )
 {
 	(void)state;
 	print_message( "width %d\n", soleGetBatchWidth() );
-	compare( fillLegs );
+	compare( testFillLegs );
 	uint32_t all = 0;
-	for ( int32_t i = 0; i < COUNT; ++i )
+	for ( int32_t i = 0; i < BATCH_COUNT; ++i )
 	{
 		all |= s_one.flags[i];
 	}
@@ -175,24 +60,24 @@ static void everyLaneIsOneLeg( void** state )
 static void whateverComesInEveryLaneIsOneLeg( void** state )
 {
 	(void)state;
-	compare( fillAnything );
+	compare( testFillAnything );
 }
 
 static void aRangeIsAllThatIsWritten( void** state )
 {
 	(void)state;
-	begin( &s_one );
-	fillLegs( &s_one, 3 );
-	soleGetLegLanes( 1 )( &s_one.batch, 0, COUNT );
+	testBeginBatch( &s_one );
+	testFillLegs( &s_one, 3 );
+	soleGetLegLanes( 1 )( &s_one.batch, 0, BATCH_COUNT );
 	const int32_t ranges[][2] = { { 0, 0 }, { 5, 1 }, { 17, 3 }, { 33, 61 }, { 1000, 37 } };
 	for ( int32_t k = 0; k < 5; ++k )
 	{
 		int32_t first = ranges[k][0], end = ranges[k][0] + ranges[k][1];
-		begin( &s_wide );
-		fillLegs( &s_wide, 3 );
+		testBeginBatch( &s_wide );
+		testFillLegs( &s_wide, 3 );
 		memset( s_wide.flags, 0x55, sizeof s_wide.flags );
 		soleSolveLegBatch( &s_wide.batch, first, end - first );
-		for ( int32_t i = 0; i < COUNT; ++i )
+		for ( int32_t i = 0; i < BATCH_COUNT; ++i )
 		{
 			bool in = i >= first && i < end;
 			assert_int_equal( s_wide.flags[i], in ? s_one.flags[i] : 0x55555555u );
@@ -204,12 +89,12 @@ static void aRangeIsAllThatIsWritten( void** state )
 static void theFootIsWhereItIsWanted( void** state )
 {
 	(void)state;
-	begin( &s_one );
-	fillLegs( &s_one, 5 );
-	soleSolveLegBatch( &s_one.batch, 0, COUNT );
+	testBeginBatch( &s_one );
+	testFillLegs( &s_one, 5 );
+	soleSolveLegBatch( &s_one.batch, 0, BATCH_COUNT );
 	const soleLegBatch* b = &s_one.batch;
 	int32_t met = 0;
-	for ( int32_t i = 0; i < COUNT; ++i )
+	for ( int32_t i = 0; i < BATCH_COUNT; ++i )
 	{
 		soleVec3 hip = soleVec( b->hip.x[i], b->hip.y[i], b->hip.z[i] );
 		soleVec3 knee = soleSub( soleVec( b->knee.x[i], b->knee.y[i], b->knee.z[i] ), hip );
@@ -233,21 +118,21 @@ static void theFootIsWhereItIsWanted( void** state )
 		soleQuat foot = { b->foot.x[i], b->foot.y[i], b->foot.z[i], b->foot.w[i] };
 		assert_true( fabsf( soleDotQuat( turn, foot ) ) > 1.0f - 1e-5f );
 	}
-	assert_true( met > COUNT / 8 );
+	assert_true( met > BATCH_COUNT / 8 );
 }
 
 static void misuseIsRefused( void** state )
 {
 	(void)state;
 	soleSetAssertHandler( testQuietHandler );
-	begin( &s_one );
+	testBeginBatch( &s_one );
 	memset( s_one.flags, 0x55, sizeof s_one.flags );
 	soleSolveLegBatch( NULL, 0, 4 );
 	soleSolveLegBatch( &s_one.batch, -1, 4 );
-	soleSolveLegBatch( &s_one.batch, 0, COUNT + 1 );
-	soleSolveLegBatch( &s_one.batch, COUNT, 1 );
+	soleSolveLegBatch( &s_one.batch, 0, BATCH_COUNT + 1 );
+	soleSolveLegBatch( &s_one.batch, BATCH_COUNT, 1 );
 	soleSolveLegBatch( &s_one.batch, 4, -4 );
-	for ( int32_t i = 0; i < COUNT; ++i )
+	for ( int32_t i = 0; i < BATCH_COUNT; ++i )
 	{
 		assert_int_equal( s_one.flags[i], 0x55555555u );
 	}

@@ -26,8 +26,8 @@ static soleLimbGoal randomGoal( uint32_t* seed, const soleTransform* pose, float
 {
 	testPlace upper = testFindPlace( pose, test_upper );
 	float length = testRandomFloat( seed, low, high ) * (float)bonesOf( pose );
-	return ( soleLimbGoal ){ soleMulAdd( testAt( &upper ), length, testRandomUnit( seed ) ), testRandomQuat( seed ),
-		1.0f, 1.0f };
+	return ( soleLimbGoal ){ soleMulAdd( testAt( &upper ), length, testRandomDirection( seed ) ),
+		testRandomTurn( seed ), 1.0f, 1.0f };
 }
 
 static soleLimbResult solveOn(
@@ -65,7 +65,7 @@ static void goalsAreMetInPlaceTurnAndHint( void** state )
 		testMakePose( &seed, testRandomFloat( &seed, 0.0f, 2.2f ), pose );
 		double bones = bonesOf( pose );
 		soleLimbGoal goal = randomGoal( &seed, pose, 0.4f, 0.97f );
-		soleLimbHint hint = { soleMulAdd( goal.position, 1.0f, testRandomVec( &seed, 2.0f ) ), 1.0f };
+		soleLimbHint hint = { soleMulAdd( goal.position, 1.0f, testRandomPoint( &seed, 2.0f ) ), 1.0f };
 		soleLimbResult result = solveOn( &def, pose, goal, &hint );
 		testPlace end = testFindPlace( pose, test_end );
 		double off = testFarFrom( &end, goal.position ) / bones;
@@ -97,7 +97,7 @@ static void whatIsNotAskedForKeepsItsBits( void** state )
 		testMakePose( &seed, testRandomFloat( &seed, 0.0f, 2.2f ), pose );
 		memcpy( before, pose, sizeof pose );
 		soleLimbGoal goal = randomGoal( &seed, pose, 0.4f, 0.9f );
-		soleLimbHint hint = { testRandomVec( &seed, 1.0f ), 0.0f };
+		soleLimbHint hint = { testRandomPoint( &seed, 1.0f ), 0.0f };
 		goal.positionWeight = goal.rotationWeight = 0.0f;
 		assert_int_equal( solveOn( &def, pose, goal, i % 2 == 0 ? &hint : NULL ).flags, 0 );
 		assert_memory_equal( pose, before, sizeof pose );
@@ -248,12 +248,12 @@ static void placeTurnAndSizeDoNotMatter( void** state )
 		soleTransform pose[TEST_JOINTS];
 		testMakePose( &seed, testRandomFloat( &seed, 0.1f, 2.0f ), pose );
 		soleLimbGoal goal = randomGoal( &seed, pose, 0.4f, 0.96f );
-		soleLimbHint hint = { testRandomVec( &seed, 2.0f ), testRandomFloat( &seed, 0.0f, 1.0f ) };
+		soleLimbHint hint = { testRandomPoint( &seed, 2.0f ), testRandomFloat( &seed, 0.0f, 1.0f ) };
 		goal.positionWeight = testRandomFloat( &seed, 0.5f, 1.0f );
 		goal.rotationWeight = testRandomFloat( &seed, 0.0f, 1.0f );
 		soleLimbResult here = soleSolveLimb( &def, pose, &goal, &hint );
 		float size = i % 2 == 0 ? 100.0f : 0.01f;
-		soleTransform move = { soleScale( size, testRandomVec( &seed, 1.0f ) ), testRandomQuat( &seed ),
+		soleTransform move = { soleScale( size, testRandomPoint( &seed, 1.0f ) ), testRandomTurn( &seed ),
 			soleVec( size, size, size ) };
 		pose[test_root] = soleMulTransform( move, pose[test_root] );
 		goal.position = soleTransformPoint( move, goal.position );
@@ -282,7 +282,7 @@ static void theLeftIsTheMirroredRight( void** state )
 		testMakePose( &seed, testRandomFloat( &seed, 0.0f, 2.0f ), pose );
 		testMirrorPose( pose, mirrored );
 		soleLimbGoal goal = randomGoal( &seed, pose, 0.4f, 0.95f );
-		soleLimbHint hint = { testRandomVec( &seed, 2.0f ), testRandomFloat( &seed, 0.0f, 1.0f ) };
+		soleLimbHint hint = { testRandomPoint( &seed, 2.0f ), testRandomFloat( &seed, 0.0f, 1.0f ) };
 		soleLimbResult right = soleSolveLimb( &def, pose, &goal, &hint );
 		goal.position = testMirrorVec( goal.position );
 		goal.rotation = testMirrorQuat( goal.rotation );
@@ -342,7 +342,7 @@ static void smallStepsMakeSmallTurns( void** state )
 		soleVec3 side = soleCross( line, bend );
 		// Across ahead of the limb and out of its reach; by weight alone. Half a turn of the end has two ways: not
 		// here.
-		soleQuat turned = soleMulQuat( testAbout( testRandomUnit( &seed ), 0.8f ), testRotationOf( &end ) );
+		soleQuat turned = soleMulQuat( testAbout( testRandomDirection( &seed ), 0.8f ), testRotationOf( &end ) );
 		soleLimbGoal a = { soleMulAdd( soleMulAdd( first, 0.9f, ahead ), 0.8f, side ), turned, 1.0f, 1.0f };
 		soleLimbGoal b = a;
 		b.position = soleMulAdd( soleMulAdd( first, 0.9f, ahead ), -0.3f, side );
@@ -387,7 +387,7 @@ static void degenerateLimbsGetUsableRotations( void** state )
 		testMakePose( &seed, i == 1 ? 0.0f : 0.8f, pose );
 		testPlace upper = testFindPlace( pose, test_upper );
 		soleLimbGoal goal = randomGoal( &seed, pose, 0.5f, 0.9f );
-		soleLimbHint hint = { testRandomVec( &seed, 1.0f ), 1.0f };
+		soleLimbHint hint = { testRandomPoint( &seed, 1.0f ), 1.0f };
 		soleVec3 zero = soleVec( 0.0f, 0.0f, 0.0f );
 		goal.position = i <= 1 ? testAt( &upper ) : goal.position;                   // at the shoulder
 		pose[test_twist].translation = i == 2 ? zero : pose[test_twist].translation; // no upper bone
@@ -422,7 +422,7 @@ static void whatIsNoNumberIsPassedThrough( void** state )
 		soleTransform pose[TEST_JOINTS], before[TEST_JOINTS];
 		testMakePose( &seed, 0.8f, pose );
 		soleLimbGoal goal = randomGoal( &seed, pose, 0.5f, 0.9f );
-		soleLimbHint hint = { testRandomVec( &seed, 1.0f ), 1.0f };
+		soleLimbHint hint = { testRandomPoint( &seed, 1.0f ), 1.0f };
 		float bad = i % 2 == 0 ? NAN : INFINITY;
 		goal.position.y = i == 0 ? bad : goal.position.y;
 		goal.rotation.w = i == 1 ? bad : goal.rotation.w;

@@ -73,7 +73,7 @@ static soleVec3 gazeOf( const testSight* sight )
 static soleVec3 targetAt( uint32_t* seed, const testSight* sight, float angle, float distance )
 {
 	soleVec3 axis =
-	    soleNormalizeOr( soleCross( gazeOf( sight ), testRandomUnit( seed ) ), soleVec( 1.0f, 0.0f, 0.0f ) );
+	    soleNormalizeOr( soleCross( gazeOf( sight ), testRandomDirection( seed ) ), soleVec( 1.0f, 0.0f, 0.0f ) );
 	return soleMulAdd( eyesOf( sight ), distance, soleRotate( testAbout( axis, angle ), gazeOf( sight ) ) );
 }
 
@@ -90,7 +90,7 @@ static void makePose( uint32_t* seed, soleTransform* pose )
 	testMakePose( seed, 0.1f, pose );
 	for ( int32_t i = test_base; i <= test_end; ++i )
 	{
-		pose[i].rotation = testAbout( testRandomUnit( seed ), testRandomFloat( seed, 0.0f, 0.4f ) );
+		pose[i].rotation = testAbout( testRandomDirection( seed ), testRandomFloat( seed, 0.0f, 0.4f ) );
 		pose[i].translation = soleScale( 0.3f, pose[i].translation );
 	}
 }
@@ -257,7 +257,7 @@ static void placeTurnAndSizeDoNotMatter( void** state )
 		soleVec3 target = targetAt( &seed, &sight, angle, testRandomFloat( &seed, 0.1f, 4.0f ) );
 		soleLookResult here = soleSolveLookAt( &def, pose, target, 0.8f );
 		float size = i % 2 == 0 ? 100.0f : 0.01f;
-		soleTransform move = { soleScale( size, testRandomVec( &seed, 1.0f ) ), testRandomQuat( &seed ),
+		soleTransform move = { soleScale( size, testRandomPoint( &seed, 1.0f ) ), testRandomTurn( &seed ),
 			soleVec( size, size, size ) };
 		pose[test_root] = soleMulTransform( move, pose[test_root] );
 		soleLookResult there = soleSolveLookAt( &def, pose, soleTransformPoint( move, target ), 0.8f );
@@ -306,7 +306,7 @@ static void smallStepsMakeSmallTurns( void** state )
 		testSight sight = sightOf( &def, pose );
 		// All the way round the head, past what is exactly behind or nearly so, near and far, with any limit.
 		soleVec3 up =
-		    soleNormalizeOr( soleCross( gazeOf( &sight ), testRandomUnit( &seed ) ), soleVec( 1.0f, 0.0f, 0.0f ) );
+		    soleNormalizeOr( soleCross( gazeOf( &sight ), testRandomDirection( &seed ) ), soleVec( 1.0f, 0.0f, 0.0f ) );
 		float distance = testRandomFloat( &seed, 0.05f, 3.0f );
 		float rise = i % 2 == 0 ? 0.0f : testRandomFloat( &seed, 0.0f, 0.3f );
 		def.limit = testRandomFloat( &seed, 0.2f, 2.0f );
@@ -356,7 +356,8 @@ static void degenerateTargetsPassThePoseThrough( void** state )
 		makePose( &seed, pose );
 		def.eyes_l = i % 2 == 0 ? soleVec( 0.0f, 0.0f, 0.0f ) : eyes_l;
 		testPlace head = testFindPlace( pose, test_end );
-		soleVec3 target = soleMulAdd( testAt( &head ), testRandomFloat( &seed, 0.0f, 0.1f ), testRandomUnit( &seed ) );
+		soleVec3 target =
+		    soleMulAdd( testAt( &head ), testRandomFloat( &seed, 0.0f, 0.1f ), testRandomDirection( &seed ) );
 		soleLookResult result = soleSolveLookAt( &def, pose, i < 10 ? testAt( &head ) : target, 1.0f );
 		for ( int32_t k = 0; k < 3; ++k )
 		{

@@ -140,6 +140,7 @@ static void aLineCountsTheMiddleOnly( void** state )
 	testStartSole( &s, false );
 	testAddLine( &s, 0.0f, 0.0f, 0.0f );
 	testAddSample( &s, 0.0f, 0.036f, 0.02f );
+	s.work.angles = soleTakeAngles( &s.settings );
 	soleRest line = soleRestSole( &s.work, &s.leg, soleMakeFootprint( &s.work, s.center, s.forward, s.work.up ), true );
 	testNearPlane( &s, &line, 0.0f, 0.0f, 0.0f );
 	soleRest r = testRest( &s );
@@ -154,18 +155,18 @@ static void knownIsASoleThatWasAskedForFromEndToEnd( void** state )
 	testStartSole( &s, false );
 	for ( int32_t i = 0; i < 9; ++i )
 	{
-		assert_true( testRest( &s ).known == false );
+		assert_true( testRestOnLine( &s ).known == false );
 		float u = REST_HEEL + ( REST_TOE - REST_HEEL ) * (float)i / 8.0f;
 		testAddSample( &s, u, 0.0f, 0.0f )->found = i < 8;
 	}
 	// Whether anything was met does not matter.
-	assert_true( testRest( &s ).known );
+	assert_true( testRestOnLine( &s ).known );
 	// Without its middle it is not known.
 	for ( int32_t i = 3; i < 6; ++i )
 	{
 		s.samples[i].place = soleMulAdd( s.center, 1.0f, s.forward );
 	}
-	assert_true( testRest( &s ).known == false );
+	assert_true( testRestOnLine( &s ).known == false );
 	testEndSole( &s );
 }
 

@@ -60,6 +60,24 @@ static void movingGoalIsFollowedWithoutLag( void** state )
 	assert_float_equal( s.value, 2.0f * 100.0f / 60.0f, 1e-4f );
 }
 
+// Not among numbers that machines are slow with: no float of an offset is ever smaller than the smallest normal one.
+static void offsetsThatDecayComeToRestAtZero( void** state )
+{
+	(void)state;
+	soleOffset3 offset = { { 0.1f, -3.0f, 0.0f }, { 0.0f, 2.0f, 1e-3f } };
+	soleOffset1 one = { -0.02f, 0.3f };
+	for ( int i = 0; i < 2000; ++i )
+	{
+		one = soleDecayOffset1( one, 0.05f, 1.0f / 60.0f );
+		offset = soleDecayOffset3( offset, 0.05f, 1.0f / 60.0f );
+		assert_true( fpclassify( one.value ) != FP_SUBNORMAL && fpclassify( one.velocity ) != FP_SUBNORMAL );
+		assert_true( fpclassify( offset.value.y ) != FP_SUBNORMAL && fpclassify( offset.velocity.z ) != FP_SUBNORMAL );
+	}
+	assert_true( one.value == 0.0f && one.velocity == 0.0f );
+	const soleOffset3 none = { { 0.0f, 0.0f, 0.0f }, { 0.0f, 0.0f, 0.0f } };
+	assert_memory_equal( &offset, &none, sizeof offset );
+}
+
 static void badNumbersGiveFiniteSprings( void** state )
 {
 	(void)state;
@@ -110,6 +128,7 @@ int main( void )
 		cmocka_unit_test( halfOfARestingErrorIsLeftAfterTheHalfLife ),
 		cmocka_unit_test( manySmallStepsMakeOneLarge ),
 		cmocka_unit_test( movingGoalIsFollowedWithoutLag ),
+		cmocka_unit_test( offsetsThatDecayComeToRestAtZero ),
 		cmocka_unit_test( badNumbersGiveFiniteSprings ),
 		cmocka_unit_test( halvesAgreeWithAngles ),
 		cmocka_unit_test( twistIsThePartAboutTheAxis ),

@@ -92,19 +92,26 @@ SOLE_API void soleCrowd_SetSettings( soleCrowd* crowd, const soleSettings* setti
 /// Most probes that a character of this crowd may ask in a frame.
 SOLE_API int32_t soleCrowd_GetMostProbes( const soleCrowd* crowd );
 
+/// Bytes of a work area for ranges of at most so many characters. A few KB each: with small ranges it stays in a cache.
+SOLE_API size_t soleCrowd_GetWorkSize( const soleCrowd* crowd, int32_t count );
+
 /// What the characters [first, first + count) ask of the ground, without those probes that need not be cast. A
 /// character for whose probes there is no room waits; who is asked first goes round from frame to frame, so none waits
 /// for long: capacity is the budget of a frame.
 /// @param frames of the range's characters: frames[0] is that of the character first.
 /// @param asks filled, as many as frames.
+/// @param work of soleCrowd_GetWorkSize() bytes, aligned as by malloc(): what gathering has found out is left there for
+/// solving the same frames, which need not begin them again. A thread has its own. NULL: solving begins anew.
 /// @return how many probes were written, at most capacity.
 SOLE_API int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames,
-    soleProbe* probes, int32_t capacity, soleCrowdAsk* asks );
+    soleProbe* probes, int32_t capacity, soleCrowdAsk* asks, void* work );
 
 /// Places the feet of the range's characters. Those that wait keep what their feet are off the animation by.
 /// @param probes as gathered; hits their answers in the same order.
+/// @param work of the same range's gathering, where since then neither the crowd nor frames and poses were changed.
+/// NULL: frames are begun anew, as for answers that come in a later one.
 SOLE_API void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames,
-    const soleProbe* probes, const soleHit* hits, const soleCrowdAsk* asks );
+    const soleProbe* probes, const soleHit* hits, const soleCrowdAsk* asks, void* work );
 
 /// Of the last frame. Legs beyond the rig's are not there: read no more than legCount of them. NULL where the index is
 /// out of range.

@@ -244,10 +244,11 @@ typedef struct soleSettings
 		float down;              // furthest down. L [0, 1] default 0.45
 		float up;                // furthest up. L [0, 1] default 0.1
 		float halfLife;          // s [0, 2] default 0.08
-		float hold;    // it stays down for so long after it had to, to be there for the next step. s [0, 4] default 1.2
-		float release; // half-life of its way up from there. s [0, 4] default 0.2
-		float speed;   // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.9
-		float balance; // share of the feet's mean shift that the pelvis follows sideways. [0, 1] default 0
+		float hold; // it stays down for so long after it had to, to be there for the next step; at most 0.5 where two
+		            // steps are seen to need much less. s [0, 4] default 1.2
+		float release;  // half-life of its way up from there. s [0, 4] default 0.2
+		float speed;    // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.9
+		float balance;  // share of the feet's mean shift that the pelvis follows sideways. [0, 1] default 0
 		float sideways; // furthest that it does. L [0, 1] default 0.1
 		float
 		    heelFirst; // share of the heel lift that is used up before the pelvis goes down for it. [0, 1] default 0.5
@@ -385,7 +386,8 @@ typedef struct soleFrame
 	/// Set when the character was moved by a jump that is no motion: all memory of the last frame is dropped.
 	bool teleport;
 	/// Where the origin of this frame's world coordinates is, in the host's own large world. A host without one leaves
-	/// it at zero. May change from frame to frame: what Sole remembers is moved along.
+	/// it at zero. May change from frame to frame, to the root itself even: what Sole remembers is moved along. Root,
+	/// hits and supports are told from it: to be subtracted in double, before they become floats.
 	double worldOrigin[3];
 } soleFrame;
 
@@ -469,6 +471,7 @@ typedef struct soleLegState
 	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
 	soleVec3 heldShift;     // how far from the animation the foot was when it came to be held
 	float strayTime;        // for how long it has been further off than that, s
+	float stepNeed;         // where the pelvis has to go for its step, or had to for the last
 	float missTime;         // for how long nothing was met under it while it stands, s
 	float shortfall;        // how far the foot was from where it was wanted, of the leg's length
 	float restep;           // what is left of a step by which it follows, s
@@ -486,6 +489,7 @@ typedef struct soleLegState
 	soleOffset3 gradient;   // what is left of slope changes
 	float heelRise;         // their heights over the clip's floor
 	float ballRise;
+	soleVec3 limitTurn;   // what the ankle's range of motion turns the foot by, in its own axes: sines of half angles
 	soleOffset1 flat;     // by how much a heel that its clip leaves off the floor is turned down, rad
 	float positionWeight; // as far as blended in
 	float rotationWeight;
@@ -509,6 +513,7 @@ typedef struct soleState
 	float bodyGround;       // height of that ground over the root
 	soleVec3 bodyGradient;  // its slope, horizontal
 	float pelvisHeldTime;   // for how long it had not to, s
+	float standing;         // 1 all feet have been down for a while .. 0 not
 	float unmetTime;        // for how long nothing was met, s
 	double worldOrigin[3];
 	int32_t internalValue;

@@ -193,8 +193,10 @@ void soleDrawFrame( const soleDebugDraw* draw, const soleDrawnFrame* drawn )
 	const soleSettings* settings = soleCleanSettings( drawn->rig, drawn->settings, &scratch );
 	soleLegHits hits = soleSplitHits( drawn->rig, settings, drawn->hits, drawn->hitCount );
 	soleOutput out;
-	solePlaceWork work;
-	soleRunFrame( &work, drawn->rig, settings, &state, drawn->frame, &hits, &out );
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
+	soleBeginFrame( &work, drawn->rig, settings, &state, drawn->frame, &out );
+	soleEndFrame( &work, &hits );
 	soleSketch sketch = { .draw = draw, .drawn = drawn, .work = &work, .dot = DOT * soleLongestLeg( &work ) };
 	solePoseSketch( &work, sketch.placed );
 	soleDrawCategories( &sketch );

@@ -18,29 +18,31 @@ typedef struct soleSeenBlock
 	soleWide z[3];
 } soleSeenBlock;
 
-static inline void soleSeeBlock( const soleGroundQuery* query, const soleGroundBlock* block, soleSeenBlock* seen )
+/// For aligned probes: nothing is sheared.
+static inline void soleSeeAlignedBlock(
+    const soleGroundQuery* query, const soleGroundBlock* block, soleSeenBlock* seen )
 {
 	soleWide startX = soleWide_Set( query->start[query->axes[0]] );
 	soleWide startY = soleWide_Set( query->start[query->axes[1]] );
 	soleWide startZ = soleWide_Set( query->start[query->axes[2]] );
-	soleWide shearX = soleWide_Set( query->shear[0] );
-	soleWide shearY = soleWide_Set( query->shear[1] );
-	for ( int i = 0; i < 3 && query->aligned; ++i )
+	for ( int i = 0; i < 3; ++i )
 	{
 		const float( *corner )[SOLE_GROUND_BLOCK_SIZE] = block->corners[i];
-		seen->z[i] = soleWide_Sub( soleWide_Load( corner[query->axes[2]] ), startZ );
 		seen->x[i] = soleWide_Sub( soleWide_Load( corner[query->axes[0]] ), startX );
 		seen->y[i] = soleWide_Sub( soleWide_Load( corner[query->axes[1]] ), startY );
+		seen->z[i] = soleWide_Sub( soleWide_Load( corner[query->axes[2]] ), startZ );
 	}
+}
+
+static inline void soleSeeBlock( const soleGroundQuery* query, const soleGroundBlock* block, soleSeenBlock* seen )
+{
+	soleSeeAlignedBlock( query, block, seen );
+	soleWide shearX = soleWide_Set( query->shear[0] );
+	soleWide shearY = soleWide_Set( query->shear[1] );
 	for ( int i = 0; i < 3 && query->aligned == false; ++i )
 	{
-		const float( *corner )[SOLE_GROUND_BLOCK_SIZE] = block->corners[i];
-		soleWide z = soleWide_Sub( soleWide_Load( corner[query->axes[2]] ), startZ );
-		soleWide x = soleWide_Sub( soleWide_Load( corner[query->axes[0]] ), startX );
-		soleWide y = soleWide_Sub( soleWide_Load( corner[query->axes[1]] ), startY );
-		seen->x[i] = soleWide_Sub( x, soleWide_Mul( shearX, z ) );
-		seen->y[i] = soleWide_Sub( y, soleWide_Mul( shearY, z ) );
-		seen->z[i] = z;
+		seen->x[i] = soleWide_Sub( seen->x[i], soleWide_Mul( shearX, seen->z[i] ) );
+		seen->y[i] = soleWide_Sub( seen->y[i], soleWide_Mul( shearY, seen->z[i] ) );
 	}
 }
 
@@ -50,13 +52,11 @@ static inline soleWide soleEdgeFunction( const soleSeenBlock* seen, int from, in
 }
 
 /// Rays: the edge functions of ray.c, in the same order, to the same bit. A triangle with both signs is not met.
-static inline uint32_t soleSiftForRay( const soleGroundQuery* query, const soleGroundBlock* block, bool twoSided )
+static inline uint32_t soleSiftSeen( const soleSeenBlock* seen, bool twoSided )
 {
-	soleSeenBlock seen;
-	soleSeeBlock( query, block, &seen );
-	soleWide u = soleEdgeFunction( &seen, 1, 2 );
-	soleWide v = soleEdgeFunction( &seen, 2, 0 );
-	soleWide w = soleEdgeFunction( &seen, 0, 1 );
+	soleWide u = soleEdgeFunction( seen, 1, 2 );
+	soleWide v = soleEdgeFunction( seen, 2, 0 );
+	soleWide w = soleEdgeFunction( seen, 0, 1 );
 	soleWide zero = soleWide_Set( 0.0f );
 	soleWideMask refused =
 	    soleWide_Or( soleWide_Or( soleWide_Less( u, zero ), soleWide_Less( v, zero ) ), soleWide_Less( w, zero ) );
@@ -67,6 +67,21 @@ static inline uint32_t soleSiftForRay( const soleGroundQuery* query, const soleG
 		        soleWide_Or( soleWide_Less( zero, u ), soleWide_Less( zero, v ) ), soleWide_Less( zero, w ) ) );
 	}
 	return ~soleWide_GetBits( refused ) & 15u;
+}
+
+static inline uint32_t soleSiftForRay( const soleGroundQuery* query, const soleGroundBlock* block, bool twoSided )
+{
+	soleSeenBlock seen;
+	soleSeeBlock( query, block, &seen );
+	return soleSiftSeen( &seen, twoSided );
+}
+
+static inline uint32_t soleSiftForAlignedRay(
+    const soleGroundQuery* query, const soleGroundBlock* block, bool twoSided )
+{
+	soleSeenBlock seen;
+	soleSeeAlignedBlock( query, block, &seen );
+	return soleSiftSeen( &seen, twoSided );
 }
 
 /// See block.c. @param travel within which something is to be met

@@ -174,6 +174,7 @@ static void soleLayOutCells( soleGround* ground )
 	{
 		double count = perUnit * (double)size[side];
 		columns->counts[side] = count > 1.0 ? (int32_t)( count < wanted ? count : wanted ) : 1;
+		columns->lastCell[side] = (float)( columns->counts[side] - 1 );
 		columns->cellsPerUnit[side] = size[side] > 0.0f ? (float)columns->counts[side] / size[side] : 0.0f;
 	}
 }

@@ -64,6 +64,7 @@ typedef struct soleGroundColumns
 	float low[2];
 	float cellsPerUnit[2];
 	int32_t counts[2];
+	float lastCell[2];     // counts - 1
 	soleGroundCell* cells; // row by row along axes[0]
 	int32_t cellCount;
 	uint32_t* lists;
@@ -209,15 +210,19 @@ void soleRefitColumns( soleGround* ground );
 static inline int32_t soleGroundColumns_FindCell( const soleGroundColumns* columns, int side, float x )
 {
 	float cell = ( x - columns->low[side] ) * columns->cellsPerUnit[side];
-	float last = (float)( columns->counts[side] - 1 );
-	return cell > 0.0f ? (int32_t)( cell < last ? cell : last ) : 0; // no number counts as zero
+	cell = cell > 0.0f ? cell : 0.0f; // no number counts as zero
+	return (int32_t)( cell < columns->lastCell[side] ? cell : columns->lastCell[side] );
+}
+
+static inline const soleGroundCell* soleGroundColumns_GetCell( const soleGroundColumns* columns, int32_t x, int32_t y )
+{
+	return columns->cells + (size_t)y * (size_t)columns->counts[0] + (size_t)x;
 }
 
 /// The nodes of a cell.
 static inline const uint32_t* soleGroundColumns_GetNodes(
-    const soleGroundColumns* columns, int32_t x, int32_t y, uint32_t* count )
+    const soleGroundColumns* columns, const soleGroundCell* cell, uint32_t* count )
 {
-	const soleGroundCell* cell = columns->cells + (size_t)y * (size_t)columns->counts[0] + (size_t)x;
 	if ( cell->nodes[0] != SOLE_GROUND_NONE && ( cell->nodes[0] & SOLE_GROUND_LIST ) != 0 )
 	{
 		*count = cell->nodes[1];

@@ -29,37 +29,35 @@ static inline void soleSweepBox( const soleGroundQuery* query, float limit, sole
 {
 	int k = query->axes[2];
 	float end = query->start[k] + query->direction[k] * limit;
-	box->low[k] = soleWide_Set( soleMinF( query->start[k], end ) - box->reach );
-	box->high[k] = soleWide_Set( soleMaxF( query->start[k], end ) + box->reach );
+	box->low[k] = soleMinF( query->start[k], end ) - box->reach;
+	box->high[k] = soleMaxF( query->start[k], end ) + box->reach;
 }
 
-static inline void soleFillBoxQuery(
+/// What an aligned probe sweeps, and how far any probe reaches to its sides.
+static inline void soleFillSweptBox(
     const soleGround* ground, const soleGroundQuery* query, float limit, soleBoxQuery* box )
 {
 	float away =
 	    ( fabsf( query->start[0] ) + fabsf( query->start[1] ) ) + ( fabsf( query->start[2] ) + ground->extent );
 	box->reach = query->radius + ( 2e-6f * away + 1e-20f );
-	for ( int k = 0; k < 3; ++k )
+	for ( int i = 0; i < 2; ++i )
 	{
-		box->startLow[k] = query->start[k] + box->reach;
-		box->startHigh[k] = query->start[k] - box->reach;
+		int k = query->axes[i];
+		box->low[k] = query->start[k] - box->reach;
+		box->high[k] = query->start[k] + box->reach;
 	}
-	if ( query->aligned )
-	{
-		box->inverse[query->axes[2]] = 1.0f / query->direction[query->axes[2]];
-		for ( int i = 0; i < 2; ++i )
-		{
-			int k = query->axes[i];
-			box->low[k] = soleWide_Set( box->startHigh[k] );
-			box->high[k] = soleWide_Set( box->startLow[k] );
-		}
-		soleSweepBox( query, limit, box );
-		return;
-	}
+	soleSweepBox( query, limit, box );
+}
+
+/// What the way through the tree needs besides.
+static inline void soleFillBoxQuery( const soleGroundQuery* query, soleBoxQuery* box )
+{
 	for ( int k = 0; k < 3; ++k )
 	{
 		float d = query->direction[k];
 		box->inverse[k] = fabsf( d ) > 1e-30f ? 1.0f / d : 1e30f;
+		box->startLow[k] = query->start[k] + box->reach;
+		box->startHigh[k] = query->start[k] - box->reach;
 	}
 }
 
@@ -69,12 +67,15 @@ static inline uint32_t soleFindOverlaps( const soleGroundNode* node, const soleB
 	uint32_t apartBits = 0;
 	for ( int half = 0; half < SOLE_GROUND_NODE_SIZE; half += SOLE_WIDTH )
 	{
-		soleWideMask apart = soleWide_Less( box->high[0], soleWide_Load( node->lower[0] + half ) );
-		apart = soleWide_Or( apart, soleWide_Less( soleWide_Load( node->upper[0] + half ), box->low[0] ) );
-		apart = soleWide_Or( apart, soleWide_Less( box->high[1], soleWide_Load( node->lower[1] + half ) ) );
-		apart = soleWide_Or( apart, soleWide_Less( soleWide_Load( node->upper[1] + half ), box->low[1] ) );
-		apart = soleWide_Or( apart, soleWide_Less( box->high[2], soleWide_Load( node->lower[2] + half ) ) );
-		apart = soleWide_Or( apart, soleWide_Less( soleWide_Load( node->upper[2] + half ), box->low[2] ) );
+		soleWideMask apart = soleWide_Less( soleWide_Set( box->high[0] ), soleWide_Load( node->lower[0] + half ) );
+		apart =
+		    soleWide_Or( apart, soleWide_Less( soleWide_Load( node->upper[0] + half ), soleWide_Set( box->low[0] ) ) );
+		for ( int k = 1; k < 3; ++k )
+		{
+			soleWideMask below = soleWide_Less( soleWide_Set( box->high[k] ), soleWide_Load( node->lower[k] + half ) );
+			soleWideMask above = soleWide_Less( soleWide_Load( node->upper[k] + half ), soleWide_Set( box->low[k] ) );
+			apart = soleWide_Or( apart, soleWide_Or( below, above ) );
+		}
 		apartBits |= soleWide_GetBits( apart ) << half;
 	}
 	return ~apartBits & ( ( 1u << SOLE_GROUND_NODE_SIZE ) - 1u );
@@ -264,12 +265,31 @@ static inline void soleCastBlock( soleWalk* walk, uint32_t number )
 	}
 }
 
-/// Asks the blocks that were gathered.
+/// For rays along an axis. The limit stays: what they may meet has been gathered before.
+static inline void soleCastBlockAlongAxis( soleWalk* walk, uint32_t number )
+{
+	const soleGround* ground = walk->ground;
+	uint32_t bits = soleSiftForAlignedRay( walk->query, ground->blocks + number, ground->anyTwoSided );
+	for ( ; bits != 0; bits &= bits - 1 )
+	{
+		uint32_t place = SOLE_GROUND_BLOCK_SIZE * number + soleGetLowestBit( bits );
+		soleCastTriangle( ground, walk->query, place, walk->best );
+	}
+}
+
+/// Asks the blocks that an aligned probe has gathered.
 static void soleAskBlocks( soleWalk* walk )
 {
 	for ( int i = 0; i < walk->blockCount; ++i )
 	{
-		soleCastBlock( walk, walk->blocks[i] );
+		if ( walk->query->radius > 0.0f )
+		{
+			soleCastBlock( walk, walk->blocks[i] );
+		}
+		else
+		{
+			soleCastBlockAlongAxis( walk, walk->blocks[i] );
+		}
 	}
 	walk->blockCount = 0;
 }
@@ -313,16 +333,16 @@ static inline void soleGatherNode( soleWalk* walk, uint32_t number )
 /// The nodes of up to four cells, each once.
 static void soleGatherCells( soleWalk* walk )
 {
+	const soleGroundColumns* columns = &walk->ground->columns;
 	uint32_t seen[MOST_SEEN];
 	uint32_t seenCount = 0;
-	for ( int32_t cell = 0; cell < 4; ++cell )
+	for ( int32_t number = 0; number < walk->cellCounts[0] * walk->cellCounts[1]; ++number )
 	{
-		int32_t x = walk->firstCell[0] + ( cell & 1 );
-		int32_t y = walk->firstCell[1] + ( cell >> 1 );
-		uint32_t count = 0;
-		const uint32_t* names = x <= walk->lastCell[0] && y <= walk->lastCell[1]
-		    ? soleGroundColumns_GetNodes( &walk->ground->columns, x, y, &count )
-		    : NULL;
+		int32_t x = number % walk->cellCounts[0];
+		int32_t y = number / walk->cellCounts[0];
+		uint32_t count;
+		const soleGroundCell* cell = walk->cell + (size_t)y * (size_t)columns->counts[0] + (size_t)x;
+		const uint32_t* names = soleGroundColumns_GetNodes( columns, cell, &count );
 		for ( uint32_t i = 0; i < count; ++i )
 		{
 			uint32_t k = 0;
@@ -361,6 +381,21 @@ static void soleWalkDown( soleWalk* walk )
 	}
 }
 
+/// The cells of an aligned probe. @return false where these are too many
+static inline bool soleFindCells( const soleGroundColumns* columns, soleWalk* walk )
+{
+	int32_t first[2];
+	for ( int side = 0; side < 2; ++side )
+	{
+		int k = columns->axes[side];
+		first[side] = soleGroundColumns_FindCell( columns, side, walk->box.low[k] );
+		int32_t last = soleGroundColumns_FindCell( columns, side, walk->box.high[k] );
+		walk->cellCounts[side] = last - first[side] + 1;
+	}
+	walk->cell = soleGroundColumns_GetCell( columns, first[0], first[1] );
+	return walk->cellCounts[0] <= 2 && walk->cellCounts[1] <= 2;
+}
+
 void soleStartWalk( const soleGround* ground, const soleGroundQuery* query, soleGroundTouch* best, soleWalk* walk )
 {
 	walk->ground = ground;
@@ -369,20 +404,17 @@ void soleStartWalk( const soleGround* ground, const soleGroundQuery* query, sole
 	walk->limit = soleGetLimit( query, best );
 	walk->blockCount = 0;
 	walk->waitingCount = 0;
-	soleFillBoxQuery( ground, query, walk->limit, &walk->box );
+	soleFillSweptBox( ground, query, walk->limit, &walk->box );
 	const soleGroundColumns* columns = &ground->columns;
-	walk->byColumns = columns->usable && query->aligned && query->axes[2] == columns->axis;
-	for ( int side = 0; side < 2 && walk->byColumns; ++side )
-	{
-		int k = columns->axes[side];
-		walk->firstCell[side] = soleGroundColumns_FindCell( columns, side, walk->box.startHigh[k] );
-		walk->lastCell[side] = soleGroundColumns_FindCell( columns, side, walk->box.startLow[k] );
-		walk->byColumns = walk->lastCell[side] - walk->firstCell[side] <= 1;
-	}
+	bool along = columns->usable && query->aligned && query->axes[2] == columns->axis;
+	walk->byColumns = along && soleFindCells( columns, walk );
 	if ( walk->byColumns )
 	{
-		size_t row = (size_t)walk->firstCell[1] * (size_t)columns->counts[0];
-		soleFetch( columns->cells + row + (size_t)walk->firstCell[0], 1 );
+		soleFetch( walk->cell, 1 );
+	}
+	else
+	{
+		soleFillBoxQuery( query, &walk->box );
 	}
 }
 
@@ -391,8 +423,7 @@ void soleFetchNodes( const soleWalk* walk )
 	if ( walk->byColumns )
 	{
 		uint32_t count;
-		const uint32_t* names =
-		    soleGroundColumns_GetNodes( &walk->ground->columns, walk->firstCell[0], walk->firstCell[1], &count );
+		const uint32_t* names = soleGroundColumns_GetNodes( &walk->ground->columns, walk->cell, &count );
 		for ( uint32_t i = 0; i < count && i < 4; ++i )
 		{
 			soleFetch( walk->ground->nodes + names[i], sizeof *walk->ground->nodes );
@@ -406,14 +437,13 @@ void soleGatherBlocks( soleWalk* walk )
 	{
 		return;
 	}
-	if ( walk->firstCell[0] != walk->lastCell[0] || walk->firstCell[1] != walk->lastCell[1] )
+	if ( walk->cellCounts[0] * walk->cellCounts[1] > 1 )
 	{
 		soleGatherCells( walk );
 		return;
 	}
 	uint32_t count;
-	const uint32_t* names =
-	    soleGroundColumns_GetNodes( &walk->ground->columns, walk->firstCell[0], walk->firstCell[1], &count );
+	const uint32_t* names = soleGroundColumns_GetNodes( &walk->ground->columns, walk->cell, &count );
 	for ( uint32_t i = 0; i < count; ++i )
 	{
 		soleGatherNode( walk, names[i] );

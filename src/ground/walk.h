@@ -9,12 +9,12 @@
 #define SOLE_WALK_MOST_BLOCKS 12
 #define SOLE_WALK_MOST_WAITING 16
 
-/// The probe as boxes want it. Aligned probes need what is swept, the others the rest.
+/// The probe as boxes want it. Aligned probes need what is swept, those through the tree the rest.
 typedef struct soleBoxQuery
 {
 	float reach;
-	soleWide low[3]; // the box that is swept until the best so far, in every lane
-	soleWide high[3];
+	float low[3]; // the box that is swept until the best so far
+	float high[3];
 	float inverse[3];
 	float startLow[3];  // start moved up by the reach: compared with lower sides
 	float startHigh[3]; // start moved down: compared with upper sides
@@ -32,10 +32,10 @@ typedef struct soleWalk
 	const soleGround* ground;
 	const soleGroundQuery* query;
 	soleGroundTouch* best;
-	float limit;    // travel beyond which nothing is of interest
-	bool byColumns; // through these cells, else down the tree
-	int32_t firstCell[2];
-	int32_t lastCell[2];
+	float limit;                            // travel beyond which nothing is of interest
+	bool byColumns;                         // through these cells, else down the tree
+	const soleGroundCell* cell;             // the first
+	int32_t cellCounts[2];                  // 1 or 2 to each side
 	uint32_t blocks[SOLE_WALK_MOST_BLOCKS]; // that the probe may meet, not yet asked
 	int blockCount;
 	soleWaiting waiting[SOLE_WALK_MOST_WAITING]; // nearest first

@@ -5,12 +5,16 @@
 // trigonometry, into pitch about the side axis, roll about the forward axis, a small rest, and twist about the up axis;
 // the halves of pitch, roll and twist are clamped, and the parts put together again. Each limit is widened to what the
 // animation does itself. What the ankle cannot do becomes a new target: the foot stands on whatever part of its sole is
-// lowest then, at the height that was wanted of the lowest part.
+// lowest then, at the height that was wanted of the lowest part. Shins sway over feet that stand, and a foot at its
+// limit would rock along: so while all stand, what the limits turn a foot by stays as it is while it is right within
+// PLAY, as in a worn joint.
 //
 // Toes. They go where the animated toes go on the plane (so they stay flat while the heel is raised), plus the slope of
 // the ground in front of the ball, as far as their limits let them; up at once, for the ground pushes them, and down
 // with the foot's contact. Toes that the clip has under its floor are bent up to it.
 #include "place/place.h"
+
+#define PLAY 0.024f // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
 
 typedef struct soleAnkleTurn
 {
@@ -63,6 +67,19 @@ static bool soleClampHalf( soleHalf* half, soleRange range, soleHalf animated )
 	return false;
 }
 
+/// Is a turn within the rig's own limits? Then it is within those that the animation widens.
+static bool soleIsWithin( const soleRigLeg* rig, const soleAnkleTurn* turn )
+{
+	const soleRange ranges[] = { rig->pitch, rig->roll, rig->twist };
+	const float sines[] = { turn->pitch.s, turn->roll.s, turn->twist.s };
+	bool within = true;
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		within = within && sines[i] >= ranges[i].low.s && sines[i] <= ranges[i].high.s;
+	}
+	return within;
+}
+
 static soleQuat soleShinRotation( const soleLegWork* leg )
 {
 	const soleRigLeg* rig = leg->rig;
@@ -90,8 +107,8 @@ static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg, 
 	soleHalf slope = soleMakeHalf( 1.0f, leg->toeSlope + leg->toeSunk );
 	soleQuat wanted = soleMulQuat( soleHalfRotation( side, slope ), soleMulQuat( leg->image, leg->toeRotation ) );
 	soleHalf bend = soleTwistHalf( soleTwist( soleMulQuat( wanted, soleConjugate( carried ) ), side ), side );
-	soleHalf up = soleHalfFromAngle( work->settings->ankle.toeUp );
-	soleHalf down = soleHalfFromAngle( -work->settings->ankle.toeDown );
+	soleHalf up = work->angles.toesUp;
+	soleHalf down = work->angles.toesDown;
 	bend = bend.s > up.s ? up : ( bend.s < down.s ? down : bend );
 	float share = leg->turnWeight * ( bend.s > 0.0f ? 1.0f : leg->state->plantWeight );
 	soleQuat bent = soleMulQuat( soleHalfRotation( side, bend ), carried );
@@ -131,35 +148,81 @@ static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat 
 	leg->footTarget = turned;
 }
 
-void soleLimitAnkles( solePlaceWork* work )
+static float soleStepPlay( float kept, float right, float play )
 {
-	for ( int32_t i = 0; i < work->legCount; ++i )
+	return soleClampF( kept, right - play, right + play );
+}
+
+/// Keeps what the limits turn a foot by, in its own axes, as long as that is right or nearly so.
+/// @param right what they turn it by now
+/// @return what it is turned by, sines of half angles
+static soleVec3 soleKeepLimit( const solePlaceWork* work, soleLegWork* leg, soleVec3 right )
+{
+	soleVec3* kept = &leg->state->limitTurn;
+	float play = PLAY * soleSmoothly( work->state->standing );
+	kept->x = soleStepPlay( kept->x, right.x, play );
+	kept->y = soleStepPlay( kept->y, right.y, play );
+	kept->z = soleStepPlay( kept->z, right.z, play );
+	return *kept;
+}
+
+/// What turns one rotation into another, in its own axes.
+static soleVec3 soleTurnBetween( soleQuat from, soleQuat to )
+{
+	soleQuat turn = soleMulQuat( soleConjugate( from ), to );
+	return soleScale( turn.w < 0.0f ? -1.0f : 1.0f, soleVec( turn.x, turn.y, turn.z ) );
+}
+
+static soleQuat soleTurnBy( soleQuat from, soleVec3 turn )
+{
+	float w = soleSqrtF( soleMaxF( 1.0f - soleDot( turn, turn ), 0.0f ) );
+	return soleNormalizeQuat( soleMulQuat( from, ( soleQuat ){ turn.x, turn.y, turn.z, w } ) );
+}
+
+/// Clamps a foot's turn against the shin. @return whether it was outside
+static bool soleClampTurn( const soleLegWork* leg, soleAnkleTurn* turn )
+{
+	const soleRigLeg* rig = leg->rig;
+	int32_t shin = rig->def.hasVirtualAnkle ? rig->def.jointCount - 1 : rig->def.jointCount - 2;
+	soleAnkleTurn animated = soleTakeApart( rig, leg->rotations[shin], leg->foot.rotation );
+	bool clamped = soleClampHalf( &turn->pitch, rig->pitch, animated.pitch );
+	clamped = soleClampHalf( &turn->roll, rig->roll, animated.roll ) || clamped;
+	return soleClampHalf( &turn->twist, rig->twist, animated.twist ) || clamped;
+}
+
+void soleLimitAnkle( const solePlaceWork* work, soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	if ( !( leg->weight > 0.0f ) || !soleHasAnkle( rig ) )
 	{
-		soleLegWork* leg = work->legs + i;
-		const soleRigLeg* rig = leg->rig;
-		if ( leg->usable == false || !( leg->weight > 0.0f ) || !soleHasAnkle( rig ) )
-		{
-			continue;
-		}
-		int32_t shinIndex = rig->def.hasVirtualAnkle ? rig->def.jointCount - 1 : rig->def.jointCount - 2;
-		soleAnkleTurn animated = soleTakeApart( rig, leg->rotations[shinIndex], leg->foot.rotation );
-		soleQuat shin = soleShinRotation( leg );
-		soleAnkleTurn turn = soleTakeApart( rig, shin, leg->footReached );
-		bool clamped = soleClampHalf( &turn.pitch, rig->pitch, animated.pitch );
-		clamped = soleClampHalf( &turn.roll, rig->roll, animated.roll ) || clamped;
-		clamped = soleClampHalf( &turn.twist, rig->twist, animated.twist ) || clamped;
-		leg->limited = clamped;
-		if ( clamped )
-		{
-			soleRetarget( work, leg, leg->footReached, solePutTogether( rig, shin, turn ) );
-			leg->out->flags |= (uint32_t)sole_legAnkleClamped;
-		}
+		return;
+	}
+	soleQuat shin = soleShinRotation( leg );
+	soleAnkleTurn turn = soleTakeApart( rig, shin, leg->footReached );
+	soleQuat limited = leg->footReached;
+	soleVec3 right = soleVec( 0.0f, 0.0f, 0.0f );
+	if ( soleIsWithin( rig, &turn ) == false && soleClampTurn( leg, &turn ) )
+	{
+		limited = solePutTogether( rig, shin, turn );
+		right = soleTurnBetween( leg->footReached, limited );
+		leg->limited = true;
+	}
+	soleVec3 kept = soleKeepLimit( work, leg, right );
+	if ( kept.x != right.x || kept.y != right.y || kept.z != right.z )
+	{
+		limited = soleTurnBy( leg->footReached, kept );
+		leg->limited = true;
+	}
+	if ( leg->limited )
+	{
+		soleRetarget( work, leg, leg->footReached, limited );
+		leg->out->flags |= (uint32_t)sole_legAnkleClamped;
 	}
 }
 
 // ----------------------------------------------------------------------------------------------------------- output
 
-static soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot )
+soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot )
 {
 	int32_t parent = work->rig->slotParents[slot];
 	return parent == SOLE_NONE ? soleNormalizeQuat( work->frame->root.rotation ) : work->slots[parent].rotation;
@@ -183,52 +246,42 @@ static void soleWriteDetachedFoot( const solePlaceWork* work, soleLegWork* leg )
 	leg->out->footRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( space.rotation ), leg->footReached ) );
 }
 
-void soleAlignAnkles( solePlaceWork* work )
+void soleAlignAnkle( const solePlaceWork* work, soleLegWork* leg )
 {
-	for ( int32_t i = 0; i < work->legCount; ++i )
+	const soleRigLeg* rig = leg->rig;
+	int32_t last = rig->def.jointCount - 1;
+	soleLegOutput* out = leg->out;
+	// Joints between hip and knee, and knee and ankle, are carried as they are: their local rotations stay. A turn
+	// q before a world rotation Q is conj( parent ) q Q in the parent's space; at the knee the hip's turn is in the
+	// parent already.
+	out->rotations_l[0] = soleNormalizeQuat( soleMulQuat(
+	    soleConjugate( soleParentRotation( work, rig->slots[0] ) ), soleMulQuat( leg->hipTurn, leg->rotations[0] ) ) );
+	int32_t knee = rig->kneeIndex;
+	if ( knee > 0 )
 	{
-		soleLegWork* leg = work->legs + i;
-		if ( leg->usable == false )
-		{
-			continue;
-		}
-		const soleRigLeg* rig = leg->rig;
-		int32_t last = rig->def.jointCount - 1;
-		soleLegOutput* out = leg->out;
-		// Joints between hip and knee, and knee and ankle, are carried as they are: their local rotations stay. A turn
-		// q before a world rotation Q is conj( parent ) q Q in the parent's space; at the knee the hip's turn is in the
-		// parent already.
-		out->rotations_l[0] =
-		    soleNormalizeQuat( soleMulQuat( soleConjugate( soleParentRotation( work, rig->slots[0] ) ),
-		        soleMulQuat( leg->hipTurn, leg->rotations[0] ) ) );
-		int32_t knee = rig->kneeIndex;
-		if ( knee > 0 )
-		{
-			soleQuat parent = soleParentRotation( work, rig->slots[knee] );
-			out->rotations_l[knee] = soleNormalizeQuat(
-			    soleMulQuat( soleConjugate( parent ), soleMulQuat( leg->kneeTurn, leg->rotations[knee] ) ) );
-		}
-		if ( rig->def.hasVirtualAnkle == false )
-		{
-			soleQuat turn = last > knee && knee > 0 ? soleMulQuat( leg->hipTurn, leg->kneeTurn ) : leg->hipTurn;
-			soleQuat parent = soleMulQuat( turn, soleParentRotation( work, rig->slots[last] ) );
-			// A detached foot is turned itself; the ankle's joint then keeps its animated turn.
-			out->rotations_l[last] = rig->def.detachedFoot != SOLE_NONE
-			    ? out->rotations_l[last]
-			    : soleNormalizeQuat( soleMulQuat( soleConjugate( parent ), leg->footReached ) );
-		}
-		if ( rig->def.detachedFoot != SOLE_NONE )
-		{
-			soleWriteDetachedFoot( work, leg );
-		}
-		if ( rig->toeSlot != SOLE_NONE && soleHasAnkle( rig ) )
-		{
-			// Joints between foot and toe keep their turns: the new toe is expressed in its own parent.
-			soleQuat foot =
-			    soleMulQuat( soleConjugate( leg->foot.rotation ), soleParentRotation( work, rig->toeSlot ) );
-			soleQuat toe = soleBendToe( work, leg, leg->footReached );
-			toe = soleMulQuat( soleConjugate( leg->footReached ), toe );
-			out->toeRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( foot ), toe ) );
-		}
+		soleQuat parent = soleParentRotation( work, rig->slots[knee] );
+		out->rotations_l[knee] = soleNormalizeQuat(
+		    soleMulQuat( soleConjugate( parent ), soleMulQuat( leg->kneeTurn, leg->rotations[knee] ) ) );
+	}
+	if ( rig->def.hasVirtualAnkle == false )
+	{
+		soleQuat turn = last > knee && knee > 0 ? soleMulQuat( leg->hipTurn, leg->kneeTurn ) : leg->hipTurn;
+		soleQuat parent = soleMulQuat( turn, soleParentRotation( work, rig->slots[last] ) );
+		// A detached foot is turned itself; the ankle's joint then keeps its animated turn.
+		out->rotations_l[last] = rig->def.detachedFoot != SOLE_NONE
+		    ? out->rotations_l[last]
+		    : soleNormalizeQuat( soleMulQuat( soleConjugate( parent ), leg->footReached ) );
+	}
+	if ( rig->def.detachedFoot != SOLE_NONE )
+	{
+		soleWriteDetachedFoot( work, leg );
+	}
+	if ( rig->toeSlot != SOLE_NONE && soleHasAnkle( rig ) )
+	{
+		// Joints between foot and toe keep their turns: the new toe is expressed in its own parent.
+		soleQuat foot = soleMulQuat( soleConjugate( leg->foot.rotation ), soleParentRotation( work, rig->toeSlot ) );
+		soleQuat toe = soleBendToe( work, leg, leg->footReached );
+		toe = soleMulQuat( soleConjugate( leg->footReached ), toe );
+		out->toeRotation_l = soleNormalizeQuat( soleMulQuat( soleConjugate( foot ), toe ) );
 	}
 }

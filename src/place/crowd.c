@@ -82,6 +82,7 @@ soleResult soleCreateCrowd(
 	size_t legs = (size_t)def->rig->legCount;
 	made->outputStride = soleRoundUp( offsetof( soleOutput, legs ) + legs * sizeof( soleLegOutput ) );
 	made->turnStride = soleRoundUp( legs * sizeof( soleCrowdTurns ) );
+	made->workStride = soleRoundUp( soleBegunLegsAt( made ) + legs * sizeof( soleLegWork ) );
 	made->blockSize = soleTurnsAt( made ) + (size_t)made->capacity * made->turnStride;
 	made->allocated = made->blockSize + SOLE_LINE;
 	made->memory = soleAlloc( allocator, made->allocated );
@@ -196,6 +197,12 @@ int32_t soleCrowd_GetCount( const soleCrowd* crowd )
 {
 	SOLE_ASSERT( crowd != NULL );
 	return crowd != NULL ? soleHead( crowd )->count : 0;
+}
+
+size_t soleCrowd_GetWorkSize( const soleCrowd* crowd, int32_t count )
+{
+	SOLE_ASSERT( crowd != NULL );
+	return crowd != NULL && count > 0 ? (size_t)count * crowd->workStride : 0;
 }
 
 int32_t soleCrowd_GetCapacity( const soleCrowd* crowd )

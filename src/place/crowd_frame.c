@@ -7,10 +7,12 @@
 // When it is solved again its frame is as long as it has waited.
 #include "base/core.h"
 #include "place/crowd_internal.h"
+#include "sole/batch.h"
 
 #include <string.h>
 
 #define MOST_INTERVAL 16
+#define BLOCK 16           // characters: the legs of as many bipeds go through a kernel at once
 #define GOLDEN 2654435769u // 2^32 times the golden ratio's fraction: its multiples are spread evenly at any time
 
 /// A character's settings of this frame.
@@ -53,9 +55,41 @@ static soleFrame soleFrameOf( const soleCrowdRow* row, const soleFrame* frame )
 	return longer;
 }
 
+/// Begins the frame of a character on a copy of its memory.
+static void soleBeginOne( const soleCrowd* crowd, int32_t index, const soleSettings* settings, const soleFrame* frame,
+    solePlaceWork* work, soleState* copy )
+{
+	memcpy( copy, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
+	soleBeginFrame( work, crowd->rig, settings, copy, frame, soleOutputOf( crowd, index ) );
+}
+
 /// @return how many probes were written, SOLE_NONE: there is no room for them
-static int32_t soleAskForOne(
-    const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleProbe* probes, int32_t capacity )
+static int32_t soleAskForOne( const solePlaceWork* work, soleProbe* probes, int32_t capacity )
+{
+	int32_t count = 0;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		count += soleAskGround( work, work->legs + i, probes + count, capacity - count );
+		if ( count > capacity )
+		{
+			return SOLE_NONE;
+		}
+	}
+	return count;
+}
+
+/// A character's part of a work area, made ready for beginning its frame there.
+static soleCrowdBegun* soleOpenBegun( const soleCrowd* crowd, void* work, int32_t k )
+{
+	soleCrowdBegun* begun = soleBegunOf( crowd, work, k );
+	begun->work.slots = (soleTransform*)( (unsigned char*)begun + soleBegunSlotsAt( crowd ) );
+	begun->work.legs = (soleLegWork*)( (unsigned char*)begun + soleBegunLegsAt( crowd ) );
+	return begun;
+}
+
+/// @param begun its part of a work area, or NULL
+static int32_t soleGatherOne( const soleCrowd* crowd, int32_t index, const soleFrame* frame, soleProbe* probes,
+    int32_t capacity, soleCrowdBegun* begun )
 {
 	const soleCrowdRow* row = soleRowOf( crowd, index );
 	soleFrame longer = soleFrameOf( row, frame );
@@ -63,27 +97,20 @@ static int32_t soleAskForOne(
 	{
 		return 0;
 	}
-	soleSettings scratch;
-	soleOutput out;
-	soleState copy;
-	memcpy( &copy, soleStateOf( crowd, index ), soleState_GetByteCount( crowd->rig ) );
-	solePlaceWork work;
-	soleBeginFrame( &work, crowd->rig, soleSettingsOf( crowd, row, &scratch ), &copy, &longer, &out );
-	int32_t perLeg = soleProbesPerLeg( work.settings );
-	int32_t count = 0;
-	for ( int32_t i = 0; i < work.legCount * perLeg; ++i )
+	if ( begun != NULL )
 	{
-		soleProbe probe;
-		if ( soleAskGround( &work, work.legs + i / perLeg, i % perLeg, &probe ) )
-		{
-			if ( count >= capacity )
-			{
-				return SOLE_NONE;
-			}
-			probes[count++] = probe;
-		}
+		begun->frame = longer;
+		const soleSettings* settings = soleSettingsOf( crowd, row, &begun->settings );
+		soleBeginOne( crowd, index, settings, &begun->frame, &begun->work, &begun->state );
+		return soleAskForOne( &begun->work, probes, capacity );
 	}
-	return count;
+	soleSettings scratch;
+	const soleSettings* settings = soleSettingsOf( crowd, row, &scratch );
+	soleState copy;
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
+	soleBeginOne( crowd, index, settings, &longer, &work, &copy );
+	return soleAskForOne( &work, probes, capacity );
 }
 
 /// Who of the range is asked first in a frame.
@@ -93,7 +120,7 @@ static int32_t soleFindTurn( uint32_t frame, int32_t count )
 }
 
 int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames,
-    soleProbe* probes, int32_t capacity, soleCrowdAsk* asks )
+    soleProbe* probes, int32_t capacity, soleCrowdAsk* asks, void* work )
 {
 	bool given = count <= 0 ||
 	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL &&
@@ -107,7 +134,8 @@ int32_t soleGatherCrowd( const soleCrowd* crowd, int32_t first, int32_t count, c
 		asks[k] = ( soleCrowdAsk ){ .first = written, .waits = true };
 		if ( soleIsItsTurn( soleRowOf( crowd, first + k ), frames + k ) )
 		{
-			int32_t asked = soleAskForOne( crowd, first + k, frames + k, probes + written, capacity - written );
+			soleCrowdBegun* begun = work != NULL ? soleOpenBegun( crowd, work, k ) : NULL;
+			int32_t asked = soleGatherOne( crowd, first + k, frames + k, probes + written, capacity - written, begun );
 			asks[k].waits = asked == SOLE_NONE;
 			asks[k].count = asked == SOLE_NONE ? 0 : asked;
 			written += asks[k].count;
@@ -128,31 +156,58 @@ static soleQuat soleTurnOn( soleQuat animated, soleQuat turn )
 	return soleNormalizeQuat( soleMulQuat( soleNormalizeQuat( animated ), turn ) );
 }
 
-/// Remembers what a solved frame has turned.
-static void soleKeepTurns( const soleCrowd* crowd, int32_t index, const soleFrame* frame )
+/// Remembers how a solved frame was animated. By how much it was turned is only asked when it waits.
+static void soleKeepAnimated( const soleCrowd* crowd, int32_t index, const soleFrame* frame )
 {
 	const soleRig* rig = crowd->rig;
-	const soleOutput* out = soleOutputOf( crowd, index );
 	soleCrowdRow* row = soleRowOf( crowd, index );
-	row->pelvisMoved = soleSub( out->pelvisTranslation_l, frame->pose[rig->pelvis].translation );
+	row->fresh = true;
+	row->pelvisMoved =
+	    soleSub( soleOutputOf( crowd, index )->pelvisTranslation_l, frame->pose[rig->pelvis].translation );
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
 		const soleLegDef* leg = &rig->legs[i].def;
-		const soleLegOutput* o = out->legs + i;
 		soleCrowdTurns* turns = soleTurnsOf( crowd, index ) + i;
 		for ( int32_t j = 0; j < leg->jointCount; ++j )
 		{
-			turns->joints[j] = soleTurnSince( frame->pose[leg->joints[j]].rotation, o->rotations_l[j] );
+			turns->joints[j] = frame->pose[leg->joints[j]].rotation;
 		}
 		if ( leg->toeCount > 0 )
 		{
-			turns->toe = soleTurnSince( frame->pose[leg->toes[0]].rotation, o->toeRotation_l );
+			turns->toe = frame->pose[leg->toes[0]].rotation;
 		}
 		if ( leg->detachedFoot != SOLE_NONE )
 		{
-			soleTransform foot = frame->pose[leg->detachedFoot];
-			turns->foot = soleTurnSince( foot.rotation, o->footRotation_l );
-			turns->footMoved = soleSub( o->footTranslation_l, foot.translation );
+			turns->foot = frame->pose[leg->detachedFoot].rotation;
+			turns->footMoved = frame->pose[leg->detachedFoot].translation;
+		}
+	}
+}
+
+/// What the last solved frame has turned, of how it was animated and placed: before its output is written over.
+static void soleFindTurns( const soleCrowd* crowd, int32_t index )
+{
+	const soleRig* rig = crowd->rig;
+	soleCrowdRow* row = soleRowOf( crowd, index );
+	bool fresh = row->fresh;
+	row->fresh = false;
+	for ( int32_t i = 0; i < rig->legCount && fresh; ++i )
+	{
+		const soleLegDef* leg = &rig->legs[i].def;
+		const soleLegOutput* o = soleOutputOf( crowd, index )->legs + i;
+		soleCrowdTurns* turns = soleTurnsOf( crowd, index ) + i;
+		for ( int32_t j = 0; j < leg->jointCount; ++j )
+		{
+			turns->joints[j] = soleTurnSince( turns->joints[j], o->rotations_l[j] );
+		}
+		if ( leg->toeCount > 0 )
+		{
+			turns->toe = soleTurnSince( turns->toe, o->toeRotation_l );
+		}
+		if ( leg->detachedFoot != SOLE_NONE )
+		{
+			turns->foot = soleTurnSince( turns->foot, o->footRotation_l );
+			turns->footMoved = soleSub( o->footTranslation_l, turns->footMoved );
 		}
 	}
 }
@@ -162,6 +217,7 @@ static void soleWait( soleCrowd* crowd, int32_t index, const soleFrame* frame )
 {
 	const soleRig* rig = crowd->rig;
 	soleOutput* out = soleOutputOf( crowd, index );
+	soleFindTurns( crowd, index );
 	out->legCount = rig->legCount;
 	out->pelvisTranslation_l = soleAdd( frame->pose[rig->pelvis].translation, soleRowOf( crowd, index )->pelvisMoved );
 	for ( int32_t i = 0; i < rig->legCount; ++i )
@@ -190,10 +246,9 @@ static void soleWait( soleCrowd* crowd, int32_t index, const soleFrame* frame )
 
 // ----------------------------------------------------------------------------------------------------------- solve
 
-static void soleSolveOne( soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleProbe* probes,
-    const soleHit* hits, int32_t hitCount )
+/// The answers by leg.
+static soleLegHits soleSortHits( const soleRig* rig, const soleProbe* probes, const soleHit* hits, int32_t hitCount )
 {
-	const soleRig* rig = crowd->rig;
 	soleLegHits byLeg = { .hits = hits };
 	for ( int32_t i = 0, k = 0; i <= rig->legCount; ++i )
 	{
@@ -203,39 +258,109 @@ static void soleSolveOne( soleCrowd* crowd, int32_t index, const soleFrame* fram
 		}
 		byLeg.starts[i] = k;
 	}
+	return byLeg;
+}
+
+/// Characters whose legs go side by side.
+typedef struct soleCrowdBlock
+{
+	int32_t count;
+	int32_t indices[BLOCK];
+	solePlaceWork* works[BLOCK];
+	soleLegHits hits[BLOCK];
+} soleCrowdBlock;
+
+/// Ends the frames of a block, which is empty then.
+static void soleSolveBlock( const soleCrowd* crowd, soleCrowdBlock* block )
+{
+	// Of one after the other: what the ground was like at each place is not asked for when the legs are solved.
+	soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
+	for ( int32_t i = 0; i < block->count; ++i )
+	{
+		block->works[i]->samples = samples;
+	}
+	soleEndFrames( block->works, block->hits, block->count, soleGetBatchWidth() );
+	for ( int32_t i = 0; i < block->count; ++i )
+	{
+		int32_t index = block->indices[i];
+		memcpy( soleStateOf( crowd, index ), block->works[i]->state, soleState_GetByteCount( crowd->rig ) );
+		soleKeepAnimated( crowd, index, block->works[i]->frame );
+	}
+	block->count = 0;
+}
+
+/// Begins anew, and ends, the frame of one.
+static void soleSolveAnew( const soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleLegHits* hits )
+{
 	soleSettings scratch;
 	const soleSettings* settings = soleSettingsOf( crowd, soleRowOf( crowd, index ), &scratch );
-	soleSolveFrame( rig, settings, soleStateOf( crowd, index ), frame, &byLeg, soleOutputOf( crowd, index ) );
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
+	soleBeginFrame( &work, crowd->rig, settings, soleStateOf( crowd, index ), frame, soleOutputOf( crowd, index ) );
+	soleEndFrame( &work, hits );
+	soleKeepAnimated( crowd, index, frame );
+}
+
+/// @param begun its part of a work area, or NULL
+static void soleSolveOne( const soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleLegHits* hits,
+    soleCrowdBegun* begun, soleCrowdBlock* block )
+{
+	bool shared = begun != NULL && begun->work.out == soleOutputOf( crowd, index );
+	SOLE_ASSERT( begun == NULL || shared );
+	if ( shared == false )
+	{
+		soleSolveAnew( crowd, index, frame, hits );
+		return;
+	}
+	block->indices[block->count] = index;
+	block->works[block->count] = &begun->work;
+	block->hits[block->count] = *hits;
+	block->count += 1;
+	if ( block->count == BLOCK )
+	{
+		soleSolveBlock( crowd, block );
+	}
+}
+
+/// A character that is not solved in this frame, because it cannot be or has to wait.
+static void soleLeaveOut( soleCrowd* crowd, int32_t index, const soleFrame* frame, const soleFrame* longer )
+{
+	soleCrowdRow* row = soleRowOf( crowd, index );
+	if ( !soleIsFrameUsable( longer ) )
+	{
+		soleFindTurns( crowd, index );
+		soleRefuseFrame( crowd->rig, frame, soleOutputOf( crowd, index ) );
+		return;
+	}
+	soleWait( crowd, index, frame );
+	row->owed = soleMaxF( soleFiniteOr( longer->timeStep, 0.0f ), 0.0f );
+	row->jumped = longer->teleport;
 }
 
 void soleSolveCrowd( soleCrowd* crowd, int32_t first, int32_t count, const soleFrame* frames, const soleProbe* probes,
-    const soleHit* hits, const soleCrowdAsk* asks )
+    const soleHit* hits, const soleCrowdAsk* asks, void* work )
 {
 	bool given = count <= 0 ||
 	    ( soleIsIndex( crowd, first ) && soleIsIndex( crowd, first + count - 1 ) && frames != NULL && asks != NULL );
 	SOLE_ASSERT( given );
-	for ( int32_t i = 0; given && i < count; ++i )
+	count = given ? count : 0;
+	soleCrowdBlock block = { .count = 0 };
+	for ( int32_t i = 0; i < count; ++i )
 	{
 		soleCrowdRow* row = soleRowOf( crowd, first + i );
 		soleFrame longer = soleFrameOf( row, frames + i );
 		const soleCrowdAsk* ask = asks + i;
 		row->frames += 1;
-		if ( !soleIsFrameUsable( &longer ) )
+		if ( ask->waits || !soleIsFrameUsable( &longer ) )
 		{
-			soleRefuseFrame( crowd->rig, frames + i, soleOutputOf( crowd, first + i ) );
+			soleLeaveOut( crowd, first + i, frames + i, &longer );
+			continue;
 		}
-		else if ( ask->waits )
-		{
-			soleWait( crowd, first + i, frames + i );
-			row->owed = soleMaxF( soleFiniteOr( longer.timeStep, 0.0f ), 0.0f );
-			row->jumped = longer.teleport;
-		}
-		else
-		{
-			soleSolveOne( crowd, first + i, &longer, probes + ask->first, hits + ask->first, ask->count );
-			soleKeepTurns( crowd, first + i, frames + i );
-			row->owed = 0.0f;
-			row->jumped = false;
-		}
+		soleCrowdBegun* begun = work != NULL ? soleBegunOf( crowd, work, i ) : NULL;
+		soleLegHits byLeg = soleSortHits( crowd->rig, probes + ask->first, hits + ask->first, ask->count );
+		soleSolveOne( crowd, first + i, &longer, &byLeg, begun, &block );
+		row->owed = 0.0f;
+		row->jumped = false;
 	}
+	soleSolveBlock( crowd, &block );
 }

@@ -20,6 +20,7 @@ typedef struct soleCrowdRow
 	uint32_t frames;      // that went by since it was added
 	float owed;           // time that went by since it was solved, s
 	bool jumped;          // was moved by a jump in the meantime
+	bool fresh;           // has not waited since it was solved
 	soleVec3 pelvisMoved; // when it was, parent-local
 } soleCrowdRow;
 
@@ -31,14 +32,24 @@ typedef struct soleCrowdSlot
 	bool used;
 } soleCrowdSlot;
 
-/// What waiting characters' joints are turned by.
+/// What waiting characters' joints are turned by; until one waits, how they were animated when it was solved.
 typedef struct soleCrowdTurns
 {
 	soleQuat joints[SOLE_MAX_LEG_JOINTS];
 	soleQuat toe;
 	soleQuat foot;
-	soleVec3 footMoved;
+	soleVec3 footMoved; // or animated place
 } soleCrowdTurns;
+
+/// A character's part of a work area: the frame that gathering began for solving. The rest of the memory that its frame
+/// works on comes next, then slots, then legs.
+typedef struct soleCrowdBegun
+{
+	solePlaceWork work;
+	soleFrame frame;       // as long as it has waited
+	soleSettings settings; // where it has its own
+	soleState state;       // as much of it as is in use
+} soleCrowdBegun;
 
 struct soleCrowd
 {
@@ -51,6 +62,7 @@ struct soleCrowd
 	size_t stateStride;
 	size_t outputStride;
 	size_t turnStride;
+	size_t workStride;
 	size_t blockSize;
 	size_t allocated;
 	unsigned char* block; // what is saved
@@ -124,6 +136,22 @@ static inline soleOutput* soleOutputOf( const soleCrowd* crowd, int32_t index )
 static inline soleCrowdTurns* soleTurnsOf( const soleCrowd* crowd, int32_t index )
 {
 	return (soleCrowdTurns*)( crowd->block + soleTurnsAt( crowd ) + (size_t)index * crowd->turnStride );
+}
+
+static inline size_t soleBegunSlotsAt( const soleCrowd* crowd )
+{
+	return soleRoundUp( offsetof( soleCrowdBegun, state ) + soleState_GetByteCount( crowd->rig ) );
+}
+
+static inline size_t soleBegunLegsAt( const soleCrowd* crowd )
+{
+	return soleRoundUp( soleBegunSlotsAt( crowd ) + (size_t)crowd->rig->slotCount * sizeof( soleTransform ) );
+}
+
+/// Character k of a range in its work area.
+static inline soleCrowdBegun* soleBegunOf( const soleCrowd* crowd, void* work, int32_t k )
+{
+	return (soleCrowdBegun*)( (unsigned char*)work + (size_t)k * crowd->workStride );
 }
 
 static inline bool soleIsIndex( const soleCrowd* crowd, int32_t index )

@@ -254,10 +254,12 @@ static solePlane soleRememberPlane( const solePlaceWork* work, const soleLegWork
 	return soleMakePlane( work, soleSub( state->planePoint_w, work->root_w ), gradient );
 }
 
-static soleStand soleStandOnWay( const soleLegWork* leg, const soleWay* way )
+static soleStand soleStandOnWay( const solePlaceWork* work, const soleLegWork* leg )
 {
 	float time = soleShareOfTime( leg );
-	return ( soleStand ){ way->from, way->to, time, time * time * ( 3.0f - 2.0f * time ) };
+	soleVec3 from = soleSub( leg->state->planePoint_w, work->root_w );
+	soleVec3 to = soleSub( leg->state->stepPlace_w, work->root_w );
+	return ( soleStand ){ from, to, time, time * time * ( 3.0f - 2.0f * time ) };
 }
 
 static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, solePlane plane )
@@ -305,10 +307,9 @@ void soleChooseFootholds( solePlaceWork* work )
 		float oldToe = state->toeSlope;
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
 		soleBridgeMiss( work, leg, old );
-		soleWay wayBefore = soleRememberWay( work, leg );
 		bool flew = ( state->flags & sole_statePlanned ) != 0;
-		soleVec3 stood = leg->touches ? wayBefore.from : leg->soleCenter;
-		leg->standBefore = flew ? soleStandOnWay( leg, &wayBefore ) : soleStandOnPlane( work, stood, old );
+		soleVec3 stood = leg->touches ? soleSub( state->planePoint_w, work->root_w ) : leg->soleCenter;
+		leg->standBefore = flew ? soleStandOnWay( work, leg ) : soleStandOnPlane( work, stood, old );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
@@ -318,8 +319,7 @@ void soleChooseFootholds( solePlaceWork* work )
 		{
 			soleFollowGround( work, leg );
 		}
-		soleWay way = soleRememberWay( work, leg );
-		leg->stand = leg->planned ? soleStandOnWay( leg, &way )
+		leg->stand = leg->planned ? soleStandOnWay( work, leg )
 		                          : soleStandOnPlane( work, soleStandPlace( work, leg ), leg->raw );
 		state->flags &= ~(uint32_t)sole_stateGround;
 		state->flags |= leg->hasGround ? (uint32_t)sole_stateGround : 0u;

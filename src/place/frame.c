@@ -7,6 +7,7 @@
 #include <string.h>
 
 #define FORGET_TIME 0.3f // s: after a frame as long as this what is remembered says nothing: no half-life is as long
+#define TOES_UP 0.65f    // rise per length: 33 degrees, toes that flip up further on a stone look broken
 #define TELEPORT 1.5f    // leg lengths that a root can't move in a frame beyond 20 of them a second
 
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
@@ -31,6 +32,26 @@ const soleSettings* soleCleanSettings( const soleRig* rig, const soleSettings* s
 		soleSettings_Set( scratch, infos + i, value - value == 0.0 ? value : infos[i].defaultValue );
 	}
 	return scratch;
+}
+
+/// tan of an angle, the cosine no smaller than a least one.
+static float soleTangent( float angle, float least )
+{
+	soleHalf half = soleHalfFromAngle( angle );
+	return 2.0f * half.s * half.c / soleMaxF( half.c * half.c - half.s * half.s, least );
+}
+
+soleAngles soleTakeAngles( const soleSettings* settings )
+{
+	return ( soleAngles ){
+		.steepestTilt = soleTangent( settings->target.maxTilt, 1e-3f ),
+		.walkable = soleHalfFromAngle( settings->support.maxSlope ),
+		.toesUp = soleHalfFromAngle( settings->ankle.toeUp ),
+		.toesDown = soleHalfFromAngle( -settings->ankle.toeDown ),
+		.toesLeast = -soleTangent( settings->ankle.toeDown, 0.05f ),
+		.toesMost = soleMinF( soleTangent( soleMinF( settings->ankle.toeUp, 1.4f ), 0.05f ), TOES_UP ),
+		.lockTurn = soleQuarterTan( soleHalfFromAngle( settings->contact.lockAngle ) ),
+	};
 }
 
 bool soleIsFrameUsable( const soleFrame* frame )
@@ -149,13 +170,13 @@ void soleSetUpFrame( solePlaceWork* work )
 	{
 		soleForget( work->state, work->legCount );
 	}
+	work->angles = soleTakeAngles( work->settings );
 	work->second = frame->secondPose != NULL ? work->state->second.value : 0.0f;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleLegWork* leg = work->legs + i;
 		*leg = ( soleLegWork ){ .rig = work->rig->legs + i, .state = work->state->legs + i, .index = i };
 		leg->out = work->out->legs + i;
-		leg->samples = work->samples[i];
 		leg->contactInput = ( soleContactInput ){ -1.0f, -1.0f };
 		if ( frame->contact != NULL && soleIsFinite( frame->contact[i].heel + frame->contact[i].toe ) )
 		{

@@ -36,8 +36,8 @@
 /// The axis that the knee bends about now, unit, at right angles to u0.
 static soleVec3 soleFindBendAxis( soleVec3 k, soleVec3 s, float a, float b, soleVec3 u0, soleVec3 rigHinge )
 {
-	soleVec3 any = soleAnyOrthogonal( u0 );
-	soleVec3 reference = soleNormalizeOr( soleReject( rigHinge, u0 ), any );
+	soleVec3 reference = soleNormalizeOr( soleReject( rigHinge, u0 ), soleVec( 0.0f, 0.0f, 0.0f ) );
+	reference = soleDot( reference, reference ) > 0.0f ? reference : soleAnyOrthogonal( u0 );
 	soleVec3 n = soleScale( 1.0f / ( a * b ), soleCross( k, s ) );
 	float f = soleLength( n );
 	soleVec3 axis = soleDot( n, reference ) < 0.0f ? soleNeg( n ) : n;
@@ -206,7 +206,7 @@ static soleQuat soleShareTwist( const solePlaceWork* work, const soleLegWork* le
 	return soleNlerp( soleQuat_Identity(), twist, share );
 }
 
-static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
+void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def )
 {
 	int32_t knee = leg->rig->kneeIndex;
 	soleVec3 shift = soleMulAdd( work->balance, work->pelvisShift, work->up );
@@ -220,52 +220,37 @@ static void soleSolveLeg( solePlaceWork* work, soleLegWork* leg )
 		soleLiftHeel( work, leg, reach.soft );
 	}
 	// The chain is as the animation bends it: two stiff parts around the knee, hip and ankle fixed in them.
-	soleTwoBoneDef def = {
-		.hip = leg->hip,
-		.knee = soleAdd( leg->joints[knee], shift ),
-		.ankle = soleAdd( leg->ankle, shift ),
-		.target = leg->ankleGoal,
-		.hinge = soleRotate( leg->rotations[0], leg->rig->hinge ),
-	};
 	float stretch = soleFindStretch( work, leg, reach );
-	def.knee = soleLerp( def.hip, def.knee, stretch );
-	def.ankle = soleLerp( def.hip, def.ankle, stretch );
-	float bones = soleDistance( def.hip, def.knee ) + soleDistance( def.knee, def.ankle );
+	def->hip = leg->hip;
+	def->knee = soleLerp( leg->hip, soleAdd( leg->joints[knee], shift ), stretch );
+	def->ankle = soleLerp( leg->hip, soleAdd( leg->ankle, shift ), stretch );
+	def->target = leg->ankleGoal;
+	def->hinge = soleRotate( leg->rotations[0], leg->rig->hinge );
+	float bones = soleDistance( def->hip, def->knee ) + soleDistance( def->knee, def->ankle );
 	float perBone = bones > 0.0f ? stretch / bones : 0.0f;
-	def.reach = soleMinF( reach.hard * perBone, 1.0f );
-	def.softZone = reach.hard - reach.soft;
-	def.fold = soleMinF( work->settings->leg.fold * leg->length, soleDistance( def.hip, def.ankle ) ) * perBone;
+	def->reach = soleMinF( reach.hard * perBone, 1.0f );
+	def->softZone = reach.hard - reach.soft;
+	def->fold = soleMinF( work->settings->leg.fold * leg->length, soleDistance( def->hip, def->ankle ) ) * perBone;
+	leg->out->stretch = stretch;
+}
+
+void soleTakeLeg( const solePlaceWork* work, soleLegWork* leg, soleVec3 reached, uint32_t flags )
+{
+	leg->ankleReached = reached;
+	leg->out->flags |= flags;
+	leg->out->ankleTarget_w = soleAdd( leg->ankleGoal, work->root_w );
+	leg->out->ankle_w = soleAdd( reached, work->root_w );
+	leg->out->error = soleDistance( reached, leg->ankleGoal );
+	leg->state->shortfall = leg->out->error / leg->length;
+	leg->out->extension = soleDistance( leg->hip, reached ) / leg->length;
+}
+
+void soleSolveLeg( const solePlaceWork* work, soleLegWork* leg )
+{
+	soleTwoBoneDef def;
+	soleReadyLeg( work, leg, &def );
 	soleTwoBoneResult result = soleSolveTwoBone( &def );
 	leg->hipTurn = soleMulQuat( soleShareTwist( work, leg, def.target ), result.hip );
-	leg->out->stretch = stretch;
 	leg->kneeTurn = result.knee;
-	leg->ankleReached = result.ankle;
-	leg->out->flags |= result.flags;
-	leg->out->ankleTarget_w = soleAdd( leg->ankleGoal, work->root_w );
-	leg->out->ankle_w = soleAdd( result.ankle, work->root_w );
-	leg->out->error = soleDistance( result.ankle, leg->ankleGoal );
-	leg->state->shortfall = leg->out->error / leg->length;
-	leg->out->extension = soleDistance( leg->hip, result.ankle ) / leg->length;
-}
-
-void soleSolveLegs( solePlaceWork* work )
-{
-	for ( int32_t i = 0; i < work->legCount; ++i )
-	{
-		if ( work->legs[i].usable )
-		{
-			soleSolveLeg( work, work->legs + i );
-		}
-	}
-}
-
-void soleSolveLimitedLegs( solePlaceWork* work )
-{
-	for ( int32_t i = 0; i < work->legCount; ++i )
-	{
-		if ( work->legs[i].limited )
-		{
-			soleSolveLeg( work, work->legs + i );
-		}
-	}
+	soleTakeLeg( work, leg, result.ankle, result.flags );
 }

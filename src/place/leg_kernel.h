@@ -226,6 +226,31 @@ static inline void FN( soleWriteLanes )( const soleLegBatch* batch, int32_t i, c
 /// Vectors that go side by side: enough to overlap, few enough that what passes leave stays in the nearest cache.
 #define SOLE_BLOCK 4
 
+/// All passes but the last over some vectors of legs.
+static inline void FN( soleTurnBlock )( const soleLegBatch* batch, int32_t start, int32_t count, soleLegLanes* legs )
+{
+	for ( int32_t k = 0; k < count; ++k )
+	{
+		FN( soleMeasureLanes )( batch, start + k * SOLE_WIDTH, legs + k );
+	}
+	for ( int32_t k = 0; k < count; ++k )
+	{
+		FN( soleFindLaneAxes )( batch, start + k * SOLE_WIDTH, legs + k );
+	}
+	for ( int32_t k = 0; k < count; ++k )
+	{
+		FN( soleFindLaneHalves )( legs + k );
+	}
+	for ( int32_t k = 0; k < count; ++k )
+	{
+		FN( soleBendLanes )( batch, start + k * SOLE_WIDTH, legs + k );
+	}
+	for ( int32_t k = 0; k < count; ++k )
+	{
+		FN( soleTurnLanes )( batch, start + k * SOLE_WIDTH, legs + k );
+	}
+}
+
 static void FN( soleSolveLegLanes )( const soleLegBatch* batch, int32_t first, int32_t end )
 {
 	soleLegLanes legs[SOLE_BLOCK];
@@ -233,26 +258,7 @@ static void FN( soleSolveLegLanes )( const soleLegBatch* batch, int32_t first, i
 	{
 		int32_t left = ( end - start ) / SOLE_WIDTH;
 		int32_t count = left < SOLE_BLOCK ? left : SOLE_BLOCK;
-		for ( int32_t k = 0; k < count; ++k )
-		{
-			FN( soleMeasureLanes )( batch, start + k * SOLE_WIDTH, legs + k );
-		}
-		for ( int32_t k = 0; k < count; ++k )
-		{
-			FN( soleFindLaneAxes )( batch, start + k * SOLE_WIDTH, legs + k );
-		}
-		for ( int32_t k = 0; k < count; ++k )
-		{
-			FN( soleFindLaneHalves )( legs + k );
-		}
-		for ( int32_t k = 0; k < count; ++k )
-		{
-			FN( soleBendLanes )( batch, start + k * SOLE_WIDTH, legs + k );
-		}
-		for ( int32_t k = 0; k < count; ++k )
-		{
-			FN( soleTurnLanes )( batch, start + k * SOLE_WIDTH, legs + k );
-		}
+		FN( soleTurnBlock )( batch, start, count, legs );
 		for ( int32_t k = 0; k < count; ++k )
 		{
 			FN( soleWriteLanes )( batch, start + k * SOLE_WIDTH, legs + k );

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Many legs at once: the kernel of leg_kernel.h in each width, the choice between them, and one by one what is left
-// over at the end of a range. That last way says what all of them give.
+// Many legs at once: the kernels of leg_kernel.h and foot_kernel.h in each width, the choice between them, and one by
+// one what is left over at the end of a range. That last way says what all of them give.
 //
 // Least and most numbers in math.h are met with "at least", lanes only know "less": they get the floats next to those.
 #include "place/leg_wide.h"
 
 #include "base/core.h"
-#include "place/place.h"
+#include "place/foot_wide.h"
 
 #define SOLE_BELOW_LEAST 0x1.197996p-40f  // the largest float below 1e-12
 #define SOLE_ABOVE_MOST 0x1.c363cep+127f  // the smallest above 3e38
@@ -15,8 +15,9 @@
 #define SOLE_WIDTH 4
 #include "base/simd.h"
 #include "base/wide_math.h"
-#include "place/leg_kernel.h"
+#include "place/foot_kernel.h"
 static soleLegLanesFcn* const soleLegLanesOf4 = FN( soleSolveLegLanes );
+static soleFootLanesFcn* const soleFootLanesOf4 = FN( soleFinishFootLanes );
 #undef SOLE_WIDTH
 
 // Elsewhere no machine has more.
@@ -25,18 +26,20 @@ static soleLegLanesFcn* const soleLegLanesOf4 = FN( soleSolveLegLanes );
 SOLE_BEGIN_AVX2
 #include "base/simd.h"
 #include "base/wide_math.h"
-#include "place/leg_kernel.h"
+#include "place/foot_kernel.h"
 SOLE_END_TARGET
 static soleLegLanesFcn* const soleLegLanesOf8 = FN( soleSolveLegLanes );
+static soleFootLanesFcn* const soleFootLanesOf8 = FN( soleFinishFootLanes );
 #undef SOLE_WIDTH
 
 #define SOLE_WIDTH 16
 SOLE_BEGIN_AVX512
 #include "base/simd.h"
 #include "base/wide_math.h"
-#include "place/leg_kernel.h"
+#include "place/foot_kernel.h"
 SOLE_END_TARGET
 static soleLegLanesFcn* const soleLegLanesOf16 = FN( soleSolveLegLanes );
+static soleFootLanesFcn* const soleFootLanesOf16 = FN( soleFinishFootLanes );
 #undef SOLE_WIDTH
 #endif
 
@@ -98,6 +101,18 @@ soleLegLanesFcn* soleGetLegLanes( int32_t width )
 	}
 #endif
 	return width == 4 ? soleLegLanesOf4 : soleSolveOneByOne;
+}
+
+soleFootLanesFcn* soleGetFootLanes( int32_t width )
+{
+#if SOLE_X86
+	if ( width == 16 || width == 8 )
+	{
+		return width == 16 ? soleFootLanesOf16 : soleFootLanesOf8;
+	}
+#endif
+	(void)width;
+	return soleFootLanesOf4;
 }
 
 int32_t soleGetBatchWidth( void )

@@ -213,7 +213,7 @@ static float soleFindStrain( const solePlaceWork* work, const soleLegWork* leg )
 	apart = soleMulAdd( apart, -held, leg->state->heldShift );
 	float far = soleLength( soleHorizontal( work, apart ) ) / soleMaxF( s->contact.lockDistance * leg->length, 1e-6f );
 	soleHalf turned = soleHeading( work, leg->forward, soleRotate( leg->turn, leg->forward ) );
-	float most = soleQuarterTan( soleHalfFromAngle( s->contact.lockAngle ) );
+	float most = work->angles.lockTurn;
 	float turn = soleQuarterTan( turned );
 	return soleMaxF( far, ( turn < 0.0f ? -turn : turn ) / soleMaxF( most, 1e-6f ) );
 }

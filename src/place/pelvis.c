@@ -20,9 +20,13 @@
 #define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
 #define AGAIN 0.011f       // L: a step that needs so little less needs the same again
 #define SAME 1e-5f         // L
+#define SEEN 0.5f          // s: kept no longer where the steps that are seen need much less
+#define MUCH_LESS 0.15f    // L
 #define FREE 1e3f          // L
 #define CARRIED 0.8f // share of the most that the ground may use up: on steep stairs some is left to catch up with
 #define STANDING_TIME 0.3f // s
+#define STANDING_IN 0.5f   // s
+#define STANDING_OUT 0.2f  // s
 #define LN_2 0.6931472f
 #define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
 #define LANDING_SHARE 1.6f // the pelvis is ready for a foot that comes down after 1 / 1.6 of its way
@@ -97,12 +101,15 @@ static soleBounds soleFindBounds( const solePlaceWork* work, float over )
 			float near = soleSmoothly( soleSaturate( LANDING_SHARE * leg->stand.time ) );
 			float landing = soleFindLandingCeiling( work, leg, reach.soft ) - over;
 			bounds.landing = soleMinF( bounds.landing, near * landing );
+			leg->state->stepNeed = landing;
 		}
 		bounds.ceiling = bounds.any ? soleMinF( bounds.ceiling, ceiling ) : ceiling;
 		bounds.most = bounds.any ? soleMinF( bounds.most, most ) : most;
 		bounds.floor = bounds.any ? soleMaxF( bounds.floor, floor ) : floor;
 		bounds.any = true;
 	}
+	// While all stand there is time: no heel is lifted for a pelvis that lags.
+	bounds.most += ( bounds.ceiling - bounds.most ) * soleSmoothly( work->state->standing );
 	bounds.ceiling -= over;
 	bounds.most -= over;
 	bounds.floor -= over;
@@ -141,6 +148,31 @@ static bool soleIsStanding( const solePlaceWork* work )
 	return standing;
 }
 
+/// Comes slowly, and goes when a foot is lifted.
+static void soleStepStanding( solePlaceWork* work )
+{
+	soleState* state = work->state;
+	float step = soleIsStanding( work ) ? work->timeStep / STANDING_IN : -work->timeStep / STANDING_OUT;
+	state->standing = work->first ? 0.0f : soleSaturate( state->standing + step );
+}
+
+/// For how long the pelvis is kept low. Who has come to the end of the stairs, and sees that neither this step nor the
+/// last needs it, does not stay down.
+static float soleFindHold( const solePlaceWork* work, float legLength )
+{
+	bool seen = false;
+	float need = 0.0f;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* leg = work->legs + i;
+		seen = seen || leg->planned;
+		need = soleMinF( need, leg->state->stepNeed );
+	}
+	float hold = work->settings->pelvis.hold;
+	bool less = need > work->state->pelvisHeld + MUCH_LESS * legLength;
+	return seen && less ? soleMinF( SEEN, hold ) : hold;
+}
+
 /// Goes down at once, and up again only when it has not been needed for some time: the lowest that each step needs is
 /// kept from step to step.
 static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
@@ -149,11 +181,12 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 	const soleSettings* s = work->settings;
 	bool near = goal < state->pelvisHeld + AGAIN * legLength;
 	state->pelvisHeldTime = near ? 0.0f : state->pelvisHeldTime + work->timeStep;
+	float hold = soleFindHold( work, legLength );
 	if ( work->first || goal <= state->pelvisHeld || goal - state->pelvisHeld < SAME * legLength )
 	{
 		state->pelvisHeld = goal;
 	}
-	else if ( near || soleIsStanding( work ) || state->pelvisHeldTime > s->pelvis.hold )
+	else if ( near || soleIsStanding( work ) || state->pelvisHeldTime > hold )
 	{
 		float halfLife = s->pelvis.release * ( soleIsStanding( work ) ? 0.25f : 1.0f );
 		float left = halfLife > 0.0f ? soleExpNegative( LN_2 * work->timeStep / halfLife ) : 0.0f;
@@ -238,6 +271,7 @@ void soleMovePelvis( solePlaceWork* work )
 	soleState* state = work->state;
 	float legLength = soleLongestLeg( work );
 	soleKeepBalance( work, legLength );
+	soleStepStanding( work );
 	float over = work->bodyGround - work->reference;
 	soleBounds bounds = soleFindBounds( work, over );
 	work->bounds = bounds;

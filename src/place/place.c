@@ -4,6 +4,7 @@
 #include "place/place.h"
 
 #include "base/core.h"
+#include "place/foot_wide.h"
 
 #include <string.h>
 
@@ -58,6 +59,11 @@ void soleScrubOutput( const soleRig* rig, soleOutput* out )
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
 		soleLegOutput* o = out->legs + i;
+		// All from there on are floats.
+		if ( soleAreFinite( o->rotations_l, sizeof *o - offsetof( soleLegOutput, rotations_l ) ) )
+		{
+			continue;
+		}
 		for ( int32_t j = 0; j < SOLE_MAX_LEG_JOINTS; ++j )
 		{
 			soleScrubQuat( o->rotations_l + j );
@@ -110,7 +116,7 @@ static void soleWritePelvis( solePlaceWork* work )
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out )
 {
-	memset( work, 0, offsetof( solePlaceWork, slots ) );
+	memset( &work->rig, 0, sizeof *work - offsetof( solePlaceWork, rig ) );
 	work->rig = rig;
 	work->settings = settings;
 	work->state = state;
@@ -126,8 +132,10 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	}
 }
 
-static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
+/// From the answers of the ground to where the pelvis goes.
+static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
 {
+	solePassThrough( work->rig, work->frame, work->second, work->out );
 	soleFindSupport( work, hits );
 	SOLE_STAGE_END( "support" );
 	soleUpdateContact( work );
@@ -145,14 +153,65 @@ static void soleRunStages( solePlaceWork* work, const soleLegHits* hits )
 	soleFindBodyGround( work );
 	soleMovePelvis( work );
 	SOLE_STAGE_END( "pelvis" );
-	soleSolveLegs( work );
-	SOLE_STAGE_END( "leg" );
-	soleLimitAnkles( work );
-	soleSolveLimitedLegs( work );
-	soleAlignAnkles( work );
-	SOLE_STAGE_END( "ankle" );
+}
+
+void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg )
+{
+	soleLimitAnkle( work, leg );
+	if ( leg->limited )
+	{
+		soleSolveLeg( work, leg );
+	}
+	soleAlignAnkle( work, leg );
+}
+
+void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg )
+{
+	if ( leg->usable )
+	{
+		soleSolveLeg( work, leg );
+		soleFinishAnkle( work, leg );
+	}
+}
+
+/// What is handed out and remembered of the whole.
+static void soleCloseFrame( solePlaceWork* work )
+{
+	soleState* state = work->state;
 	soleRememberBodies( work );
 	soleWritePelvis( work );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		work->out->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
+	}
+	soleScrubOutput( work->rig, work->out );
+	state->root_w = work->root_w;
+	state->frameCount = work->first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
+	SOLE_STAGE_END( "output" );
+}
+
+void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
+{
+	soleReachFrame( work, hits );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleFinishLeg( work, work->legs + i );
+	}
+	SOLE_STAGE_END( "leg" );
+	soleCloseFrame( work );
+}
+
+void soleEndFrames( solePlaceWork* const* works, const soleLegHits* hits, int32_t count, int32_t width )
+{
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleReachFrame( works[i], hits + i );
+	}
+	soleFinishLegs( works, count, width );
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		soleCloseFrame( works[i] );
+	}
 }
 
 void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* output )
@@ -163,35 +222,6 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 		output->legs[i].flags = (uint32_t)sole_legBadInput;
 	}
 	soleScrubOutput( rig, output );
-}
-
-void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
-    const soleFrame* frame, const soleLegHits* hits, soleOutput* output )
-{
-	SOLE_STAGES_BEGIN();
-	solePassThrough( rig, frame, 0.0f, output );
-	soleBeginFrame( work, rig, settings, state, frame, output );
-	SOLE_STAGE_END( "sense" );
-	if ( work->second > 0.0f )
-	{
-		solePassThrough( rig, frame, work->second, output );
-	}
-	soleRunStages( work, hits );
-	for ( int32_t i = 0; i < rig->legCount; ++i )
-	{
-		output->legs[i].flags |= work->legs[i].usable ? 0u : (uint32_t)sole_legBadInput;
-	}
-	soleScrubOutput( rig, output );
-	SOLE_STAGE_END( "output" );
-}
-
-void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
-    const soleLegHits* hits, soleOutput* output )
-{
-	solePlaceWork work;
-	soleRunFrame( &work, rig, settings, state, frame, hits, output );
-	state->root_w = work.root_w;
-	state->frameCount = work.first ? 1 : ( state->frameCount < UINT32_MAX ? state->frameCount + 1 : 1 );
 }
 
 soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount )
@@ -220,14 +250,22 @@ int32_t soleGatherProbes( const soleRig* rig, const soleSettings* settings, cons
 	soleOutput out;
 	soleState copy;
 	memcpy( &copy, state, soleState_GetByteCount( rig ) );
-	solePlaceWork work;
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
 	soleBeginFrame( &work, rig, soleCleanSettings( rig, settings, &scratch ), &copy, frame, &out );
 	// Probes that are not needed are handed out all the same: how many there are depends on rig and settings alone.
 	int32_t perLeg = soleProbesPerLeg( work.settings );
 	int32_t count = soleMinI( capacity, work.legCount * perLeg );
-	for ( int32_t i = 0; i < count; ++i )
+	for ( int32_t i = 0; i * perLeg < count; ++i )
 	{
-		soleAskGround( &work, work.legs + i / perLeg, i % perLeg, probes + i );
+		soleProbe* first = probes + i * perLeg;
+		int32_t most = soleMinI( perLeg, count - i * perLeg );
+		soleProbe none = soleMakeProbe( &work, work.legs + i );
+		for ( int32_t k = soleAskGround( &work, work.legs + i, first, most ); k < most; ++k )
+		{
+			first[k] = none;
+			first[k].index = (int16_t)k;
+		}
 	}
 	return count > 0 ? count : 0;
 }
@@ -249,7 +287,12 @@ void soleSolve( const soleRig* rig, const soleSettings* settings, soleState* sta
 	soleSettings scratch;
 	const soleSettings* clean = soleCleanSettings( rig, settings, &scratch );
 	soleLegHits byLeg = soleSplitHits( rig, clean, hits, hitCount );
-	soleSolveFrame( rig, clean, state, frame, &byLeg, output );
+	solePlaceRoom room;
+	solePlaceWork work = soleWorkIn( &room );
+	SOLE_STAGES_BEGIN();
+	soleBeginFrame( &work, rig, clean, state, frame, output );
+	SOLE_STAGE_END( "sense" );
+	soleEndFrame( &work, &byLeg );
 }
 
 void soleBlendSecondPose(

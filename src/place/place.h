@@ -179,9 +179,25 @@ typedef struct soleBounds
 	bool any;
 } soleBounds;
 
+/// What angles among the settings come to.
+typedef struct soleAngles
+{
+	float steepestTilt; // rise per length that a sole is tilted by at most
+	soleHalf walkable;  // of the steepest slope that can be walked on
+	soleHalf toesUp;
+	soleHalf toesDown;
+	float toesLeast, toesMost; // slopes that toes can follow
+	float lockTurn;            // tan of a quarter of the angle at which a lock is given up
+} soleAngles;
+
 /// One character during a frame.
 typedef struct solePlaceWork
 {
+	// Given by who begins the frame: room for as many as the rig has.
+	soleTransform* slots;
+	soleLegWork* legs;
+	soleGroundSample ( *samples )[SOLE_MAX_PROBES_PER_LEG];
+
 	const soleRig* rig;
 	const soleSettings* settings;
 	const soleFrame* frame;
@@ -205,16 +221,25 @@ typedef struct solePlaceWork
 	float second;          // weight of the second pose in this frame
 	float weight;          // of the whole: the largest of the legs'
 	soleVec3 balance;      // and sideways, horizontal
-	float carriedUp;       // how far along up the bodies that legs stand on have moved since the last frame
-	float bodyGround;      // height of the ground that the body is over
-	float bodyBefore;      // the same by what the last frame knew
+	soleAngles angles;
+	float carriedUp;  // how far along up the bodies that legs stand on have moved since the last frame
+	float bodyGround; // height of the ground that the body is over
+	float bodyBefore; // the same by what the last frame knew
 	int32_t legCount;
+} solePlaceWork;
 
-	// From here on as many as the rig has are written before they are read: a frame does not clear them all.
+/// Room for one of any rig. What is read has been written before: it is not cleared.
+typedef struct solePlaceRoom
+{
 	soleTransform slots[SOLE_MAX_SLOTS];
 	soleLegWork legs[SOLE_MAX_LEGS];
 	soleGroundSample samples[SOLE_MAX_LEGS][SOLE_MAX_PROBES_PER_LEG];
-} solePlaceWork;
+} solePlaceRoom;
+
+static inline solePlaceWork soleWorkIn( solePlaceRoom* room )
+{
+	return ( solePlaceWork ){ .slots = room->slots, .legs = room->legs, .samples = room->samples };
+}
 
 static inline soleVec3 soleHorizontal( const solePlaceWork* work, soleVec3 v )
 {
@@ -336,17 +361,17 @@ typedef struct soleLegHits
 } soleLegHits;
 
 /// What gathering and solving have in common: everything up to where the soles are. The state is taken in, and may be
-/// changed; the output is written to by stages.
+/// changed; the output is left to soleEndFrame(). Settings in their ranges, a frame that is usable.
+/// @param work with its room
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out );
-/// A whole frame, all that its stages found left in the work. Settings in their ranges, a frame that is usable.
-void soleRunFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
-    const soleFrame* frame, const soleLegHits* hits, soleOutput* output );
+/// The rest of a frame that was begun, all that its stages found left in the work.
+void soleEndFrame( solePlaceWork* work, const soleLegHits* hits );
+/// The same of several, to the bit.
+/// @param width of the kernel that their legs go through
+void soleEndFrames( solePlaceWork* const* works, const soleLegHits* hits, int32_t count, int32_t width );
 /// The answers to soleGatherProbes(), by leg.
 soleLegHits soleSplitHits( const soleRig* rig, const soleSettings* settings, const soleHit* hits, int32_t hitCount );
-/// The same, and remembered.
-void soleSolveFrame( const soleRig* rig, const soleSettings* settings, soleState* state, const soleFrame* frame,
-    const soleLegHits* hits, soleOutput* output );
 /// Nothing that is not finite leaves, whatever came in.
 void soleScrubOutput( const soleRig* rig, soleOutput* output );
 /// The output of a frame that is not usable.
@@ -355,6 +380,7 @@ void soleRefuseFrame( const soleRig* rig, const soleFrame* frame, soleOutput* ou
 /// Settings in their ranges; the defaults where they were not made by soleDefaultSettings().
 /// @param scratch what is returned, where they had to be changed
 const soleSettings* soleCleanSettings( const soleRig* rig, const soleSettings* settings, soleSettings* scratch );
+soleAngles soleTakeAngles( const soleSettings* settings );
 bool soleIsFrameUsable( const soleFrame* frame );
 /// A state that is usable in this frame's world: the default one where it was not.
 void soleTakeState( const soleRig* rig, const soleFrame* frame, soleState* state );
@@ -374,8 +400,10 @@ void soleRememberBodies( solePlaceWork* work );
 void soleSense( solePlaceWork* work );
 /// When and where feet in flight will come down.
 void soleForesee( solePlaceWork* work );
-/// Probe k of a leg, below soleProbesPerLeg(). @return false: it is not asked, has no length and no place
-bool soleAskGround( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleProbe* probe );
+/// What a leg asks, as far as there is room. @return how many probes that takes, at most soleProbesPerLeg()
+int32_t soleAskGround( const solePlaceWork* work, const soleLegWork* leg, soleProbe* probes, int32_t capacity );
+/// A probe of a leg that is not asked: of no length, at no place.
+soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg );
 /// Where the flat sole of a leg is, or will be: for asking and for reading the answers.
 void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 /// Hits to the plane that carries the sole.
@@ -400,13 +428,22 @@ void soleDemandSecondPose( solePlaceWork* work );
 void soleFindBodyGround( solePlaceWork* work );
 /// One height that all legs can live with.
 void soleMovePelvis( solePlaceWork* work );
+/// The last stages go leg by leg.
+
 /// Heel lift, reach, two-bone.
-void soleSolveLegs( solePlaceWork* work );
+void soleSolveLeg( const solePlaceWork* work, soleLegWork* leg );
 /// Range of motion: turns what the solved leg's ankle cannot do into new targets for a second solve.
-void soleLimitAnkles( solePlaceWork* work );
-/// The same again, for those.
-void soleSolveLimitedLegs( solePlaceWork* work );
+void soleLimitAnkle( const solePlaceWork* work, soleLegWork* leg );
 /// Alignment and toes; writes the output.
-void soleAlignAnkles( solePlaceWork* work );
+void soleAlignAnkle( const solePlaceWork* work, soleLegWork* leg );
+/// All of them, and those after the first.
+void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg );
+void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg );
+
+/// What soleSolveLeg() does before the two bones are solved, and after.
+void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def );
+void soleTakeLeg( const solePlaceWork* work, soleLegWork* leg, soleVec3 reached, uint32_t flags );
+/// As animated, world.
+soleQuat soleParentRotation( const solePlaceWork* work, int32_t slot );
 
 #endif

@@ -213,73 +213,81 @@ static soleVec3 soleStripPoint(
 	return soleMulAdd( center, near + far * ( even - near ), leg->landingForward );
 }
 
-/// Where probe k of a foot asks that will land somewhere.
-static bool soleChooseLandingPoint( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleVec3* point )
+/// Where the probes of a foot ask that will land somewhere: a strip there, both sides of the ball, the way.
+static int32_t soleListLanding( const solePlaceWork* work, const soleLegWork* leg, soleVec3* points )
 {
 	soleProbeCounts counts = soleGetProbeCounts( work->settings->probe.layout );
 	bool planned = ( leg->state->flags & sole_statePlanned ) != 0;
 	soleVec3 chosen = planned ? soleLevelPlace( work, leg ) : leg->landing;
-	if ( k < counts.strip )
+	// As long as it is far off, what the animation means counts; then what was chosen.
+	float far = soleIsFar( leg );
+	// As far beside what was chosen as the animation means another place since then.
+	soleVec3 meant = soleSub( leg->state->stepLanding_w, work->root_w );
+	soleVec3 near = planned ? soleAdd( chosen, soleHorizontal( work, soleSub( leg->landing, meant ) ) ) : chosen;
+	soleVec3 center = soleLerp( near, leg->landing, far );
+	int32_t count = 0;
+	for ( int32_t k = 0; k < counts.strip; ++k )
 	{
-		// As long as it is far off, what the animation means counts; then what was chosen.
-		float far = soleIsFar( leg );
-		// As far beside what was chosen as the animation means another place since then.
-		soleVec3 meant = soleSub( leg->state->stepLanding_w, work->root_w );
-		soleVec3 near = planned ? soleAdd( chosen, soleHorizontal( work, soleSub( leg->landing, meant ) ) ) : chosen;
-		soleVec3 center = soleLerp( near, leg->landing, far );
-		*point = soleStripPoint( work, leg, center, k, counts.strip );
-		return true;
+		points[count++] = soleStripPoint( work, leg, center, k, counts.strip );
 	}
-	k -= counts.strip;
-	if ( k < counts.sides )
+	soleFootprint print = soleMakeFootprint( work, chosen, leg->landingForward, work->up );
+	for ( int32_t k = 0; k < counts.sides; ++k )
 	{
-		soleProbePlace place = { 0.0f, k == 0 ? -0.8f : 0.8f };
-		*point = soleProbePoint( leg, soleMakeFootprint( work, chosen, leg->landingForward, work->up ), place );
-		return true;
+		points[count++] = soleProbePoint( leg, print, ( soleProbePlace ){ 0.0f, k == 0 ? -0.8f : 0.8f } );
 	}
-	k -= counts.sides;
 	soleVec3 from = soleSub( leg->state->planePoint_w, work->root_w );
-	*point = soleLerp( from, chosen, (float)( k + 1 ) / (float)( counts.way + 1 ) );
-	return k < counts.way;
+	for ( int32_t k = 0; k < counts.way; ++k )
+	{
+		points[count++] = soleLerp( from, chosen, (float)( k + 1 ) / (float)( counts.way + 1 ) );
+	}
+	return count;
 }
 
-/// Where probe k of a leg asks. @return false: it does not
-static bool soleChoosePoint( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleVec3* point )
+/// Places under a sole.
+static int32_t soleListPlaces(
+    const soleLegWork* leg, soleFootprint print, const soleProbePlace* places, int32_t count, soleVec3* points )
 {
-	if ( leg->usable == false )
+	for ( int32_t k = 0; k < count; ++k )
 	{
-		return false;
+		points[k] = soleProbePoint( leg, print, places[k] );
 	}
-	if ( leg->reading )
-	{
-		soleProbePlace place = soleQualityPlaces[soleMinI( k, QUALITY - 1 )];
-		*point = soleProbePoint( leg, soleChosenFootprint( work, leg ), place );
-		return k < QUALITY;
-	}
-	if ( leg->foreseen )
-	{
-		return leg->choosing && soleChooseLandingPoint( work, leg, k, point );
-	}
-	if ( leg->asleep )
-	{
-		*point = soleProbePoint( leg, leg->print, soleSinglePlaces[0] );
-		return k == 0;
-	}
+	return count;
+}
+
+/// Under a foot that stands, or flies unforeseen; then also ahead of its toes.
+static int32_t soleListSole( const solePlaceWork* work, const soleLegWork* leg, soleVec3* points )
+{
 	soleProbeLayout layout = work->settings->probe.layout;
 	// A foot that has just been planted reads its ground closely, once; as do all in the first frame.
 	bool closely = work->first || ( leg->state->flags & ( sole_stateLocked | sole_stateChosen ) ) == sole_stateLocked;
 	layout = closely && layout == sole_probeEconomy ? sole_probeQuality : layout;
 	soleProbeCounts counts = soleGetProbeCounts( layout );
-	if ( k < counts.sole )
+	int32_t count = soleListPlaces( leg, leg->print, soleChoosePlaces( layout ), counts.sole, points );
+	for ( int32_t k = 0; k < counts.ahead && leg->flying; ++k )
 	{
-		soleProbePlace place = soleChoosePlaces( layout )[k];
-		*point = soleProbePoint( leg, leg->print, place );
-		return true;
+		float time = work->settings->support.lookAhead * (float)( k + 1 ) / (float)counts.ahead;
+		points[count++] = soleMulAdd( leg->tip, time, leg->ballVelocity );
 	}
-	k -= counts.sole;
-	float time = work->settings->support.lookAhead * (float)( k + 1 ) / (float)counts.ahead;
-	*point = soleMulAdd( leg->tip, time, leg->ballVelocity );
-	return leg->flying && k < counts.ahead;
+	return count;
+}
+
+/// Where the probes of a leg ask. @return how many there are
+static int32_t soleListPoints( const solePlaceWork* work, const soleLegWork* leg, soleVec3* points )
+{
+	if ( leg->usable == false )
+	{
+		return 0;
+	}
+	if ( leg->reading )
+	{
+		return soleListPlaces( leg, soleChosenFootprint( work, leg ), soleQualityPlaces, QUALITY, points );
+	}
+	if ( leg->foreseen )
+	{
+		return leg->choosing ? soleListLanding( work, leg, points ) : 0;
+	}
+	return leg->asleep ? soleListPlaces( leg, leg->print, soleSinglePlaces, 1, points )
+	                   : soleListSole( work, leg, points );
 }
 
 /// How much higher a place is, if the slope goes on on which the foot stood last.
@@ -299,26 +307,34 @@ static float soleFindKnownHeight( const solePlaceWork* work, const soleLegWork* 
 	return stands ? soleDot( soleSub( leg->state->planePoint_w, work->root_w ), work->up ) - work->reference : 0.0f;
 }
 
-bool soleAskGround( const solePlaceWork* work, const soleLegWork* leg, int32_t k, soleProbe* probe )
+soleProbe soleMakeProbe( const solePlaceWork* work, const soleLegWork* leg )
+{
+	return ( soleProbe ){
+		.direction_w = soleNeg( work->up ), .mask = work->settings->probe.mask, .leg = (int16_t)leg->index
+	};
+}
+
+int32_t soleAskGround( const solePlaceWork* work, const soleLegWork* leg, soleProbe* probes, int32_t capacity )
 {
 	const soleSettings* settings = work->settings;
-	soleVec3 point;
-	*probe = ( soleProbe ){ .direction_w = soleNeg( work->up ),
-		.mask = settings->probe.mask,
-		.leg = (int16_t)leg->index,
-		.index = (int16_t)k };
-	if ( soleChoosePoint( work, leg, k, &point ) == false )
-	{
-		return false;
-	}
-	float away = soleLength( soleHorizontal( work, point ) );
-	float rise = soleFindRise( work, leg, point );
-	float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
+	soleVec3 points[SOLE_MAX_PROBES_PER_LEG];
+	int32_t count = soleListPoints( work, leg, points );
 	float known = soleFindKnownHeight( work, leg );
-	float up = soleMaxF( settings->probe.stepUp * leg->length, known + KNOWN * leg->length ) + further;
-	float down = soleMaxF( settings->probe.stepDown * leg->length, KNOWN * leg->length - known ) + further;
-	probe->start_w = soleAdd( soleAtHeight( work, point, work->reference + rise + up ), work->root_w );
-	probe->length = up + down;
-	probe->radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
-	return true;
+	float upwards = soleMaxF( settings->probe.stepUp * leg->length, known + KNOWN * leg->length );
+	float downwards = soleMaxF( settings->probe.stepDown * leg->length, KNOWN * leg->length - known );
+	soleProbe asked = soleMakeProbe( work, leg );
+	asked.radius = settings->probe.shape == sole_probeSphere ? settings->probe.radius * leg->length : 0.0f;
+	for ( int32_t k = 0; k < soleMinI( count, capacity ); ++k )
+	{
+		soleProbe* probe = probes + k;
+		*probe = asked;
+		probe->index = (int16_t)k;
+		float away = soleLength( soleHorizontal( work, points[k] ) );
+		float further = CLIMB * soleMaxF( away - 0.5f * leg->length, 0.0f );
+		float up = upwards + further;
+		float height = work->reference + soleFindRise( work, leg, points[k] ) + up;
+		probe->start_w = soleAdd( soleAtHeight( work, points[k], height ), work->root_w );
+		probe->length = up + ( downwards + further );
+	}
+	return count;
 }

@@ -22,7 +22,6 @@
 
 #define MARGIN 0.012f      // L, around the sole
 #define BEARS_UNDER 0.011f // L: a place this far under the sole bears it: 1 cm of a leg of 0.9 m
-#define TOES_UP 0.65f      // rise per length: 33 degrees, toes that flip up further on a stone look broken
 
 // ------------------------------------------------------------------------------------------------------- footprint
 
@@ -103,7 +102,7 @@ static void soleFindPoints(
 			found->steep |= sample->steep ? soleBit( p ) : 0u;
 		}
 	}
-	found->gap = soleFindGap( asked, askedCount );
+	found->gap = line ? soleFindGap( asked, askedCount ) : 0.0f;
 }
 
 /// The points that may tilt the sole: toes bend, so they are left out where enough is left to carry it, and steep faces
@@ -138,16 +137,6 @@ static float soleFindToeSlope(
 		found = true;
 	}
 	return slope;
-}
-
-/// The slope that toes can follow.
-static float soleClampToeSlope( const solePlaceWork* work, float slope )
-{
-	soleHalf up = soleHalfFromAngle( soleMinF( work->settings->ankle.toeUp, 1.4f ) );
-	soleHalf down = soleHalfFromAngle( work->settings->ankle.toeDown );
-	float most = 2.0f * up.s * up.c / soleMaxF( up.c * up.c - up.s * up.s, 0.05f );
-	float least = -2.0f * down.s * down.c / soleMaxF( down.c * down.c - down.s * down.s, 0.05f );
-	return soleClampF( slope, least, soleMinF( most, TOES_UP ) );
 }
 
 static float soleShareOf( int32_t part, int32_t whole )
@@ -193,7 +182,7 @@ static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, c
 		fit.gu = soleDot( gradient, print.forward );
 		fit.gv = soleDot( gradient, print.side );
 	}
-	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
+	soleHalf limit = work->angles.walkable;
 	float steepest = 2.0f * limit.s * limit.c / soleMaxF( limit.c * limit.c - limit.s * limit.s, 0.05f );
 	*steep = 2 * soleCount( tilting ) < soleCount( rigid );
 	fit.gu = *steep ? 0.0f : soleClampF( fit.gu, -steepest, steepest );
@@ -238,7 +227,7 @@ soleRest soleRestSole( const solePlaceWork* work, const soleLegWork* leg, soleFo
 	if ( rig->toeSlot != SOLE_NONE )
 	{
 		float slope = soleFindToeSlope( &points, level, &fit, -loadAhead, 0.2f * rig->toeAhead * print.along );
-		rest.toeSlope = soleClampToeSlope( work, slope );
+		rest.toeSlope = soleClampF( slope, work->angles.toesLeast, work->angles.toesMost );
 	}
 	soleJudge( leg, &points, &fit, -loadAhead, &rest );
 	soleVec3 gradient = soleMulAdd( soleScale( fit.gu, print.forward ), fit.gv, print.side );

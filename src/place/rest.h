@@ -17,7 +17,7 @@ typedef struct soleRest
 	float rearShare;    // and behind
 	float confidence;   // 0..1
 	float sunk;         // how far the sole is inside the ground all the same, toes bent
-	bool known;         // all along the sole
+	bool known;         // all along the sole, where only places along a line count
 	bool onEdge, steep; // part of it hangs over a lower level; the ground cannot be walked on
 	int32_t surface;    // of the highest place
 	soleVec3 velocity;  // of that surface there

@@ -25,9 +25,8 @@ static bool soleAreNeighbours( const soleRestPoints* p, int32_t i, int32_t j, fl
 /// May these two be on one level? If all may, all are: neighbours join the whole.
 static bool soleAreLevel( const soleRestPoints* p, int32_t i, int32_t j, float d2, float gap )
 {
-	float step = p->h[i] > p->h[j] ? p->h[i] - p->h[j] : p->h[j] - p->h[i];
-	float more = step - gap;
-	return !( more > 0.0f ) || more * more <= d2;
+	float more = soleMaxF( p->h[i] - p->h[j], p->h[j] - p->h[i] ) - gap;
+	return !( more > 0.0f ) | ( more * more <= d2 );
 }
 
 static float soleDistance2( const soleRestPoints* p, int32_t i, int32_t j )
@@ -38,17 +37,16 @@ static float soleDistance2( const soleRestPoints* p, int32_t i, int32_t j )
 
 static bool soleAreAllLevel( const soleRestPoints* p, float gap )
 {
+	// All pairs, without branches: compilers make wide code of it.
+	uint32_t level = 1u;
 	for ( int32_t i = 0; i < p->count; ++i )
 	{
 		for ( int32_t j = i + 1; j < p->count; ++j )
 		{
-			if ( soleAreLevel( p, i, j, soleDistance2( p, i, j ), gap ) == false )
-			{
-				return false;
-			}
+			level &= soleAreLevel( p, i, j, soleDistance2( p, i, j ), gap ) ? 1u : 0u;
 		}
 	}
-	return true;
+	return level != 0;
 }
 
 /// @param levels per point the set that it belongs to
@@ -151,20 +149,27 @@ static bool soleFitPair( const soleRestPoints* p, int32_t i, int32_t j, float sh
 	return true;
 }
 
-/// Puts the points that are furthest to a side first: triangles need them.
-static void soleOrderBySide( const soleRestPoints* p, int32_t* list, int32_t count )
+/// The points of a set, those first that are furthest to a side: triangles need them. Of equals the lower comes first.
+static int32_t soleListBySide( const soleRestPoints* p, uint32_t set, int32_t ordered[SOLE_MAX_REST_POINTS] )
 {
-	for ( int32_t i = 1; i < count; ++i )
+	int32_t list[SOLE_MAX_REST_POINTS];
+	float aside[SOLE_MAX_REST_POINTS];
+	int32_t count = soleList( set, list );
+	for ( int32_t i = 0; i < count; ++i )
 	{
-		int32_t point = list[i];
-		float v = p->v[point] * p->v[point];
-		int32_t k = i;
-		for ( ; k > 0 && p->v[list[k - 1]] * p->v[list[k - 1]] < v; --k )
-		{
-			list[k] = list[k - 1];
-		}
-		list[k] = point;
+		aside[i] = p->v[list[i]] * p->v[list[i]];
 	}
+	for ( int32_t i = 0; i < count; ++i )
+	{
+		// Each counts those before it: nothing to foretell wrongly.
+		int32_t before = 0;
+		for ( int32_t k = 0; k < count; ++k )
+		{
+			before += ( aside[k] > aside[i] ) | ( ( aside[k] == aside[i] ) & ( k < i ) ) ? 1 : 0;
+		}
+		ordered[before] = list[i];
+	}
+	return count;
 }
 
 /// Any three points whose triangle holds the load point.
@@ -198,9 +203,9 @@ static int32_t soleFindOver( const soleRestPoints* p, uint32_t set, const soleFi
 	for ( int32_t i = 0; i < p->count; ++i )
 	{
 		float over = p->h[i] - ( fit->c + fit->gu * p->u[i] + fit->gv * p->v[i] );
-		bool higher = over > most && soleHas( set, i );
-		highest = higher ? i : highest;
-		most = higher ? over : most;
+		float counts = soleHas( set, i ) ? over : 0.0f;
+		highest = counts > most ? i : highest;
+		most = soleMaxF( counts, most );
 	}
 	return highest;
 }
@@ -234,8 +239,7 @@ static bool soleExchange( const soleRestPoints* p, int32_t point, float area, in
 static bool soleFitHighestTriangle( const soleRestPoints* p, uint32_t set, float area, soleFit* fit )
 {
 	int32_t list[SOLE_MAX_REST_POINTS], corners[3];
-	int32_t count = soleList( set, list );
-	soleOrderBySide( p, list, count );
+	int32_t count = soleListBySide( p, set, list );
 	if ( soleFindTriangle( p, list, count, area, corners, fit ) == false )
 	{
 		return false;

@@ -21,7 +21,7 @@ typedef struct soleRestPoints
 	int32_t asked;      // places under the sole, with those where nothing was met
 	int32_t askedAhead; // those ahead of the ball line
 	bool atHeel, atToe; // places near both ends of the sole were asked for
-	float gap;          // largest distance between those asked for in between
+	float gap;          // largest distance between those asked for in between, where they are on a line
 } soleRestPoints;
 
 /// c + gu u + gv v

@@ -9,7 +9,7 @@
 
 static bool soleTransform_IsFinite( soleTransform t )
 {
-	return soleAreFinite( &t, sizeof t );
+	return soleVec3_IsFinite( t.translation ) && soleQuat_IsFinite( t.rotation ) && soleVec3_IsFinite( t.scale );
 }
 
 static void soleEvaluateSlots( solePlaceWork* work )

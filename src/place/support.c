@@ -86,7 +86,7 @@ static void soleCountUnmet( solePlaceWork* work )
 
 void soleFindSupport( solePlaceWork* work, const soleLegHits* hits )
 {
-	soleHalf limit = soleHalfFromAngle( work->settings->support.maxSlope );
+	soleHalf limit = work->angles.walkable;
 	float minimumUp = limit.c * limit.c - limit.s * limit.s;
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
@@ -95,6 +95,7 @@ void soleFindSupport( solePlaceWork* work, const soleLegHits* hits )
 		{
 			continue;
 		}
+		leg->samples = work->samples[i];
 		int32_t first = hits->starts[i];
 		soleReadSamples( work, leg, hits->hits + first, hits->starts[i + 1] - first, minimumUp );
 		if ( soleIsOnItsWay( leg ) )

@@ -5,12 +5,9 @@
 
 float soleFindAlign( const solePlaceWork* work, soleVec3 gradient )
 {
-	const soleSettings* s = work->settings;
-	soleHalf half = soleHalfFromAngle( s->target.maxTilt );
-	float cosine = half.c * half.c - half.s * half.s;
-	float steepest = 2.0f * half.c * half.s / soleMaxF( cosine, 1e-3f );
+	float align = work->settings->target.align;
 	float steep = soleLength( gradient );
-	return steep * s->target.align > steepest ? steepest / steep : s->target.align;
+	return steep * align > work->angles.steepestTilt ? work->angles.steepestTilt / steep : align;
 }
 
 /// The normal of a sole on ground of some normal.
@@ -23,8 +20,7 @@ static soleVec3 soleTilt( const solePlaceWork* work, soleVec3 normal )
 	}
 	soleVec3 gradient = soleScale( -1.0f / up, soleHorizontal( work, normal ) );
 	float align = soleFindAlign( work, gradient );
-	soleVec3 tilted = soleNormalizeOr( soleMulAdd( work->up, -align, gradient ), work->up );
-	return align < 1.0f ? tilted : normal;
+	return align < 1.0f ? soleNormalizeOr( soleMulAdd( work->up, -align, gradient ), work->up ) : normal;
 }
 
 soleVec3 soleTiltShift( const solePlaceWork* work, const soleLegWork* leg, soleVec3 normal )

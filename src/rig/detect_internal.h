@@ -147,6 +147,10 @@ void soleParseNames( soleDetect* detect );
 void soleFindLegsByRoles( soleDetect* detect );
 void soleFindLegsByNames( soleDetect* detect );
 
+// detect_pairs.c
+/// Moves those that have a partner to the front. @return how many these are
+int32_t soleKeepMirroredLegs( const soleDetect* detect, soleVec3 up, soleFoundLeg* legs, int32_t legCount );
+
 // detect_structure.c
 void soleFindLegsByStructure( soleDetect* detect );
 

@@ -15,12 +15,14 @@ compiler()
 	echo "$( uname -m ) gcc $( gcc -dumpfullversion )"
 }
 
-# count CASE: instructions of one run. The C library picks its memory functions by what the machine has: the plainest.
+# count CASE: instructions of one run, nothing where this machine cannot run it. The C library picks its memory functions
+# by what the machine has: the plainest.
 count()
 {
-	GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX2,-AVX2_Usable,-ERMS,-FSRM valgrind --tool=callgrind --callgrind-out-file="$work/$1" --toggle-collect=benchCounted "$bench" --count "$1" \
-		> "$work/log" 2>&1
-	sed -n 's/^summary: \([0-9]*\)$/\1/p' "$work/$1"
+	if GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX2,-AVX2_Usable,-ERMS,-FSRM valgrind --tool=callgrind \
+		--callgrind-out-file="$work/counts" --toggle-collect=benchCounted "$bench" --count "$1" > "$work/log" 2>&1; then
+		sed -n 's/^summary: \([0-9]*\)$/\1/p' "$work/counts"
+	fi
 }
 
 # countAll: a line a case as in the baseline.
@@ -46,6 +48,7 @@ countAll > "$work/now"
 awk -F, '
 	NR == FNR { before[$1] = $2; next }
 	FNR == 1 { next }
+	$2 == 0 { print $1 ": left out: this machine cannot run it"; delete before[$1]; next }
 	{
 		change = before[$1] > 0 ? 100 * ( $2 / before[$1] - 1 ) : 100
 		printf "%-24s %10.1f %10.1f  %+.1f %%\n", $1, before[$1], $2, change
