@@ -12,7 +12,7 @@ import { openMethods, type MethodName } from './methods';
 import { FEET_LAYERS } from './motion';
 import type { Library } from './library';
 import { Overlay } from './overlay';
-import { addTab, find, make, messageOf, say, setTheme } from './page';
+import { addTab, find, forgetMessages, make, messageOf, say, setTheme } from './page';
 import { methodLabels, Pickers, readMethods } from './pickers';
 import { Plots } from './plots';
 import { ScenePage, defaultSceneChoices, type SceneChoices } from './scene-page';
@@ -226,6 +226,7 @@ export class Viewer
 		{
 			this.takeGround( new GroundShape( opened.name, opened.object ) );
 		}
+		forgetMessages();
 		say( `${opened.name}: opened as ${opened.kind}.` );
 	}
 

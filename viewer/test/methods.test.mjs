@@ -94,6 +94,8 @@ test( 'every method shows its frames in its own view', async () =>
 			const places = await page.locator( '#labels span:not( [hidden] )' ).evaluateAll( ( spans ) => spans.map( ( span ) => span.getBoundingClientRect().toJSON() ) );
 			const middle = await page.locator( '#canvas' ).evaluate( ( canvas ) => canvas.clientWidth / 2 );
 			assert.equal( places.length, 4, method );
+			places.forEach( ( a, i ) => places.slice( i + 1 ).forEach( ( b ) =>
+				assert.ok( a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top, `${method}: labels lie on each other` ) ) );
 			places.forEach( ( { left, right }, index ) => assert.ok( index < 2 ? right <= middle : left >= middle, `${method} ${left} ${right}` ) );
 		} );
 	}
@@ -116,4 +118,21 @@ test( 'a frame costs little script, and few draw calls', async () =>
 			assert.ok( calls > 0 && calls < MOST_CALLS, `${what} ${calls}` );
 		} );
 	}
+} );
+
+test( 'two hundred cost Sole no more each than one', async () =>
+{
+	await onPage( 'scene=flat&method=sole', async ( page ) =>
+	{
+		const controller = page.locator( '.lil-controller', { has: page.locator( '.lil-name:text-is("characters")' ) } );
+		await controller.locator( 'input' ).fill( '200' );
+		await controller.locator( 'input' ).press( 'Enter' );
+		await page.locator( '#canvas' ).focus();
+		await page.waitForFunction( () => window.viewer.shown().characters === 200 );
+		const rounds = await page.evaluate( () => Array.from( { length: 4 }, () => window.viewer.load( 5 ) ) );
+		const [ script, solver ] = [ 'script', 'solver' ].map( ( name ) => Math.min( ...rounds.map( ( round ) => round[ name ] ) ) );
+		console.log( `two hundred: ${script.toFixed( 1 )} ms of script a frame, ${solver.toFixed( 3 )} of it Sole for each; ${rounds[ 0 ].calls} draw calls` );
+		assert.ok( solver > 0 && solver < SOLVER_BUDGET, `${solver}` );
+		assert.ok( rounds[ 0 ].calls <= 3 * 200 + MOST_CALLS, `${rounds[ 0 ].calls}` );
+	} );
 } );

@@ -367,6 +367,18 @@ test( 'two hundred walk at once', async () =>
 
 // ------------------------------------------------------------------------------------------------------------ files
 
+test( 'what was wrong with a file is forgotten with the next one that opens', async () =>
+{
+	await onPage( 'scene=T01&method=sole', async ( page ) =>
+	{
+		await drop( page, 'words.glb', Buffer.from( 'this is no model' ) );
+		await message( page, 'words.glb: is no GLB file' );
+		await drop( page, 'mine.glb', readFileSync( join( folder, 'samples/mannequin.glb' ) ) );
+		await message( page, 'mine.glb: opened as character' );
+		assert.equal( await page.locator( '#messages p' ).count(), 1 );
+	} );
+} );
+
 test( 'broken files are refused in a sentence, and the page lives on', async () =>
 {
 	await onPage( 'scene=T02&method=sole', async ( page ) =>
