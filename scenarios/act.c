@@ -117,6 +117,13 @@ static void soleGetWholeMoment(
     const soleAct* act, const soleStage* stage, int32_t take, double time, soleSceneMoment* moment )
 {
 	soleDraft( act, stage, take, time, moment );
+	if ( act->root == sole_rootAround )
+	{
+		soleGetSceneWay( stage->scene, moment->way, &moment->root );
+		moment->up = soleRotate( moment->root.rotation, soleVec( 0.0f, 1.0f, 0.0f ) );
+		return;
+	}
+	moment->up = soleVec( 0.0f, 1.0f, 0.0f );
 	double y = soleGetRootHeight( act, stage, time, moment );
 	float scale = (float)moment->scale;
 	moment->root.translation = soleVec( (float)moment->x, (float)y, (float)moment->z );

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a host does to a character on a scene: where its root is, which clips it plays, what it has changed in the pose,
 // how it steps through time and answers probes. Data and functions of time alone, so that any frame rate sees the same.
-// World space, metres, seconds, +Y up; the character stands upright, faces +Z at heading 0 and +X at 90 degrees.
+// World space, metres, seconds, +Y up but on ways around; the character stands upright, faces +Z at heading 0 and +X at
+// 90 degrees.
 #ifndef SCENARIOS_ACT_H
 #define SCENARIOS_ACT_H
 
@@ -24,7 +25,8 @@ typedef enum soleRootKind
 {
 	sole_rootStepped, // the floor below, now
 	sole_rootRamped,  // straight between corners of its way, as over an invisible ramp
-	sole_rootFixed    // the floor at the beginning of its course, at time 0
+	sole_rootFixed,   // the floor at the beginning of its course, at time 0
+	sole_rootAround   // place and up by the scene's way
 } soleRootKind;
 
 /// A scene, and how to ask it for the floor that carries a root.
@@ -58,8 +60,9 @@ typedef struct soleSceneMoment
 	double legs;      // length of their bones as a share of the clip's
 	double origin[3]; // of the world's coordinates
 	bool resting;     // the host does nothing that should be seen in a foot
-	/// Character space to world, with the scale, before base and origin: follows from the above.
+	/// Character space to world, with the scale, before base and origin, and what is up there: follows from the above.
 	soleTransform root;
+	soleVec3 up;
 } soleSceneMoment;
 
 typedef struct soleAct soleAct;

@@ -265,6 +265,10 @@ static const soleAct s_acts[] = {
 	    { .rootRate = 20 } },
 	{ "T16", "T47 corrected, 20 Hz", sole_gaitWalk, sole_rootStepped, { 0, -5, 0, 0, 1.4 }, 7,
 	    { solePlayCorrected, 0.1, 1 }, { .rootRate = 20, .unlabelled = true } },
+
+	// T48: once round; T49: 20 m from floor to top, for something that can
+	{ "T48", "round", sole_gaitWalk, sole_rootAround, { 0, 0, 0, 0, 1.4 }, 26.9, { 0 }, { 0 } },
+	{ "T49", "floor to ceiling", sole_gaitWalk, sole_rootAround, { 0, 0, 0, 0, 0.5 }, 40, { 0 }, { 0 } },
 };
 
 const soleAct* soleGetActs( int32_t* count )

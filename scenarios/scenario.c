@@ -73,6 +73,8 @@ static const soleSceneRecipe recipes[] = {
 	{ "T29", "Two plates in opposite phase", soleMakeTwoPlates, 0.15, false },
 	{ "T30", "See-saw that is taken away", soleMakeSeeSaw, 0.2617993877991494, false },
 	{ "T34", "Ramp of 12 degrees, 8 long", soleMakeLongRamp, TAN_12, false },
+	{ "T48", "Planet of a radius of 6", soleMakePlanet, 6.0, false },
+	{ "T49", "Floor, wall, ceiling and its edge", soleMakeOverhang, 3.0, false },
 };
 
 #define RECIPE_COUNT ( (int32_t)( sizeof recipes / sizeof recipes[0] ) )
@@ -142,6 +144,7 @@ bool soleMakeScene( const char* id, soleScene* scene )
 	soleEndScenePieces( &builder );
 	memcpy( scene->pieces, builder.pieces, sizeof scene->pieces );
 	scene->pieceCount = builder.pieceCount;
+	scene->way = builder.way;
 	builder.positions = NULL;
 	builder.indices = NULL;
 	soleFreeSceneBuilder( &builder );

@@ -9,6 +9,7 @@
 
 #define SOLE_SCENE_MAX_PATH 32
 #define SOLE_SCENE_MAX_PIECES 8
+#define SOLE_SCENE_MAX_STRETCHES 16
 
 /// What a piece is there for. A host asks for the layers that it wants.
 enum
@@ -29,6 +30,25 @@ typedef struct soleScenePiece
 	soleSceneMotion motion;
 } soleScenePiece;
 
+/// Part of a way on which up turns with the ground.
+/// Turns are about +x, rad: over a crest they are positive, up a wall negative.
+typedef struct soleSceneStretch
+{
+	double length;
+	double bend;   // of its course over that length
+	double corner; // of its course at its end
+	double turn;   // of its walker's up over that length
+} soleSceneStretch;
+
+/// A way over crests, up walls and along ceilings: begins at x = 0 upright, ahead along +z.
+typedef struct soleSceneWay
+{
+	double y;
+	double z;
+	int32_t count; // 0: the scene has none
+	soleSceneStretch stretches[SOLE_SCENE_MAX_STRETCHES];
+} soleSceneWay;
+
 typedef struct soleScene
 {
 	char id[16];
@@ -43,6 +63,7 @@ typedef struct soleScene
 	/// A way for a walking character: x, z of its corners, at least 0.7 inside the ground.
 	int32_t pathCount;
 	float path[SOLE_SCENE_MAX_PATH][2];
+	soleSceneWay way;
 } soleScene;
 
 /// Makes one of soleGetSceneIds(). Those with something random take a seed as well: "rubble-7", "T16-2", "T17-3";
@@ -56,6 +77,10 @@ void soleFreeScene( soleScene* scene );
 bool soleGetScenePiece( const soleScene* scene, int32_t piece, double time, soleTransform* fromStart );
 /// How it moves then: velocity of the place fromStart.translation and spin, rad/s.
 void soleGetScenePieceSpeed( const soleScene* scene, int32_t piece, double time, soleVec3* velocity, soleVec3* spin );
+
+/// Where a walker is that has gone so far along the scene's way: its place on the ground, its +y out of it, its +z
+/// ahead.
+void soleGetSceneWay( const soleScene* scene, double gone, soleTransform* place );
 
 /// All ids, in the order in which they should be shown.
 const char* const* soleGetSceneIds( int32_t* count );

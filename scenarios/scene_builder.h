@@ -36,6 +36,7 @@ typedef struct soleSceneBuilder
 	int32_t rowCapacity;
 	soleScenePiece pieces[SOLE_SCENE_MAX_PIECES];
 	int32_t pieceCount;
+	soleSceneWay way;
 	bool failed;
 } soleSceneBuilder;
 

@@ -37,6 +37,11 @@ soleSceneMaker soleMakeBench;
 soleSceneMaker soleMakePlatform; // drop; 0: nothing below
 soleSceneMaker soleMakeBeam;     // width
 
+// scene_round.c
+
+soleSceneMaker soleMakePlanet;   // radius
+soleSceneMaker soleMakeOverhang; // height of the slab over the floor
+
 // scene_moving.c
 
 soleSceneMaker soleMakeLooseBoxes;  // speed of the pushed one

@@ -237,6 +237,11 @@ static const testCheck s_checks[] = {
 	{ "T44 turning at 144 Hz", 3.0, "mm", testAtRate, "T01", "T39 round in 2.0", 144.0 },
 	{ "T44 turning at 165 Hz", 3.0, "mm", testAtRate, "T01", "T39 round in 2.0", 165.0 },
 	{ "T44 turning at 240 Hz", 3.0, "mm", testAtRate, "T01", "T39 round in 2.0", 240.0 },
+	{ "T48 planted soles lie on the planet", 3.0, "mm", testLieOnPlanet, "T48", "round", 6.0 },
+	{ "T48 held feet stay where they are", 1.0, "mm", testStayOnPlanet, "T48", "round", 0.0 },
+	{ "T48 the clip's stances are held", 0.0, "missing", testHoldOnPlanet, "T48", "round", 0.0 },
+	{ "T48 the pelvis goes round evenly", 6.0, "mm", testGoEvenly, "T48", "round", 0.0 },
+	{ "T48 seven turned worlds give the same", 1.0, "mm", testInTurnedWorlds, "T48", "round", 0.0 },
 	{ "T45 frames of no length change nothing", 0.0, "mm", testAcrossPause, "T02", "T45 pause", 0.0 },
 };
 

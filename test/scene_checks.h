@@ -18,6 +18,13 @@ struct testCheck
 	double value; // what checks of one kind differ in
 };
 
+/// T48, scene_around.c: what the gates ask of others, measured from a planet's middle.
+double testLieOnPlanet( const testActor* actor, const testCheck* check );
+double testStayOnPlanet( const testActor* actor, const testCheck* check );
+double testHoldOnPlanet( const testActor* actor, const testCheck* check );
+double testGoEvenly( const testActor* actor, const testCheck* check );
+double testInTurnedWorlds( const testActor* actor, const testCheck* check );
+
 const testCheck* testGetChecks( int32_t* count );
 
 /// Largest distance of a foot or the pelvis between two frames, mm.

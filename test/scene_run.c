@@ -32,6 +32,7 @@ void testOpenWorld( const char* id, testWorld* world )
 {
 	memset( world, 0, sizeof *world );
 	assert_true( soleMakeScene( id, &world->scene ) );
+	world->turn = soleQuat_Identity();
 	for ( int32_t i = 0; i < world->scene.pieceCount; ++i )
 	{
 		testBuildPiece( world, i );
@@ -92,6 +93,7 @@ void testOpenActor( testActor* actor, void ( *change )( toolModel* model ) )
 	static const char* const names[sole_gaitCount] = { "idle", "walk", "run", "strafe", "crouch", "crouch_walk" };
 	toolError error = { { 0 } };
 	memset( actor, 0, sizeof *actor );
+	actor->settings = soleDefaultSettings();
 	toolModel made;
 	toolMakeMannequin( &made );
 	if ( change != NULL )
@@ -153,7 +155,7 @@ static testHost* testStartHost( const testRun* run )
 	testHost* host = calloc( 1, sizeof *host );
 	assert_non_null( host );
 	host->state = soleDefaultState( run->actor->character.rig );
-	host->settings = soleDefaultSettings();
+	host->settings = run->actor->settings;
 	host->settings.probe.mask = TEST_FEET_LAYERS;
 	return host;
 }
@@ -163,6 +165,25 @@ static bool testIsLost( const soleAct* act, int32_t frame, int32_t probe, double
 	uint32_t seed = (uint32_t)( frame * 977 + probe + 1 ) * 2654435761u;
 	bool lost = (double)testRandomFloat( &seed, 0.0f, 1.0f ) < act->host.dropped;
 	return lost || ( time > act->host.blindFrom && time < act->host.blindUntil );
+}
+
+static bool testIsTurned( const testWorld* world )
+{
+	return world->turn.w != 1.0f;
+}
+
+/// A probe of the host's world, cast at the scene's.
+static soleHit testCastTurned(
+    const testWorld* world, const soleGroundPiece* pieces, int32_t pieceCount, const soleProbe* probe )
+{
+	soleProbe upright = *probe;
+	upright.start_w = soleInvRotate( world->turn, probe->start_w );
+	upright.direction_w = soleInvRotate( world->turn, probe->direction_w );
+	soleHit hit = soleCastPieces( pieces, pieceCount, &upright );
+	hit.point_w = soleRotate( world->turn, hit.point_w );
+	hit.normal_w = soleRotate( world->turn, hit.normal_w );
+	hit.asked_w = probe->start_w;
+	return hit;
 }
 
 /// Asks the ground now. What comes of it now may have been asked earlier.
@@ -179,7 +200,8 @@ static const soleHit* testAsk(
 	host->answerCounts[slot] = soleGatherProbes( rig, &host->settings, &host->state, frame, probes, SOLE_MAX_PROBES );
 	for ( int32_t i = 0; i < host->answerCounts[slot]; ++i )
 	{
-		answers[i] = soleCastPieces( pieces, pieceCount, probes + i );
+		answers[i] = testIsTurned( run->world ) ? testCastTurned( run->world, pieces, pieceCount, probes + i )
+		                                        : soleCastPieces( pieces, pieceCount, probes + i );
 		if ( testIsLost( run->act, index, i, run->times[index] ) )
 		{
 			answers[i] = ( soleHit ){ .surface = SOLE_NONE, .asked_w = probes[i].start_w };
@@ -220,7 +242,7 @@ static void testStep( const testRun* run, testHost* host, int32_t index, soleTra
 	soleFrame frame = {
 		.pose = run->input + (size_t)index * (size_t)run->jointCount,
 		.root = run->roots[index],
-		.up = soleVec( 0.0f, 1.0f, 0.0f ),
+		.up = moment->up,
 		.timeStep = (float)run->steps[index],
 		.weight = (float)moment->weight,
 		.contact = labelled ? contacts : NULL,
@@ -233,6 +255,12 @@ static void testStep( const testRun* run, testHost* host, int32_t index, soleTra
 	soleVec3 shift = soleVec( (float)moment->origin[0], (float)moment->origin[1], (float)moment->origin[2] );
 	frame.root.translation = soleSub( frame.root.translation, shift );
 	memcpy( frame.worldOrigin, moment->origin, sizeof frame.worldOrigin );
+	if ( testIsTurned( run->world ) )
+	{
+		frame.root.translation = soleRotate( run->world->turn, frame.root.translation );
+		frame.root.rotation = soleMulQuat( run->world->turn, frame.root.rotation );
+		frame.up = soleRotate( run->world->turn, frame.up );
+	}
 	int32_t count;
 	const soleHit* hits = testAsk( run, host, &frame, index, &count );
 	soleSolve( rig, &host->settings, &host->state, &frame, hits, count, out );

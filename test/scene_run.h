@@ -16,6 +16,7 @@ typedef struct testWorld
 	soleScene scene;
 	soleGround* grounds[SOLE_SCENE_MAX_PIECES];
 	soleTerrain* terrains[SOLE_SCENE_MAX_PIECES];
+	soleQuat turn; // of the whole world that the host has, against the scene's; still pieces only
 } testWorld;
 
 void testOpenWorld( const char* id, testWorld* world );
@@ -37,6 +38,7 @@ typedef struct testActor
 	toolBoundClip clips[sole_gaitCount];
 	toolTravel travels[sole_gaitCount];
 	toolSteps steps[sole_gaitCount];
+	soleSettings settings; // the defaults; a test may change them between runs
 } testActor;
 
 /// @param change what is different in the mannequin. May be NULL

@@ -253,6 +253,26 @@ static void aFootWhoseGroundIsOutOfReachIsGivenBack( void** state )
 	testEndRun( &run );
 }
 
+static void groundThatIsTooSteepIsGivenBackAndTakenAgain( void** state )
+{
+	(void)state;
+	static testRun run;
+	const uint32_t steep = (uint32_t)sole_legTooSteep;
+	testStartRun( &run, 0.6f );
+	run.settings.target.unreachable = 0.0f;
+	const float slopes[] = { 0.3f, 1.5f, 0.3f };
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		run.ground.slopeZ = slopes[i];
+		testStepSeconds( &run, 2.0f );
+		bool far = slopes[i] > 1.0f;
+		assert_int_equal( run.out.legs[0].flags & steep, far ? steep : 0u );
+		float turned = testLargestTurn( run.placed, run.pose );
+		assert_true( far ? turned < 1e-3f : turned > 0.2f );
+	}
+	testEndRun( &run );
+}
+
 static void groundThatIsTooHighIsToldAsSuch( void** state )
 {
 	(void)state;
@@ -471,6 +491,7 @@ int main( void )
 		cmocka_unit_test( aFootInFlightIsAsAnimatedWhereSettingsSaySo ),
 		cmocka_unit_test( aCharacterThatMovesIsAsAnimatedWhereSettingsSaySo ),
 		cmocka_unit_test( aFootWhoseGroundIsOutOfReachIsGivenBack ),
+		cmocka_unit_test( groundThatIsTooSteepIsGivenBackAndTakenAgain ),
 		cmocka_unit_test( groundThatIsTooHighIsToldAsSuch ),
 		cmocka_unit_test( thePelvisIsMovedByWhomTheSettingSays ),
 		cmocka_unit_test( thePelvisGoesWithTheFeetThatTheSettingSays ),

@@ -226,6 +226,10 @@ static void everyActMeetsItsGates( void** state )
 	for ( int32_t i = 0; i < count; ++i )
 	{
 		const soleAct* act = acts + i;
+		if ( act->root == sole_rootAround )
+		{
+			continue; // gates are measured upright: these are among what runs are compared for, and in test_around.c
+		}
 		if ( strcmp( world.scene.id, act->scene ) != 0 )
 		{
 			testCloseWorld( &world );

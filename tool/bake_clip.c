@@ -188,11 +188,29 @@ static void toolMarkChain( const toolCharacter* character, bool* marks, int32_t 
 	}
 }
 
-static bool* toolFindKeyedNodes( const toolCharacter* character, const toolTravel* travel )
+/// Whether a method has turned a joint: the one that carries the trunk may be left as it is.
+static bool toolIsTurned( const toolBakeResult* result, int32_t joint )
+{
+	bool turned = false;
+	for ( int32_t i = 0; i < result->walk.frameCount && joint != SOLE_NONE; ++i )
+	{
+		size_t at = (size_t)i * (size_t)result->jointCount + (size_t)joint;
+		turned = turned || memcmp( &result->input[at].rotation, &result->output[at].rotation, sizeof( soleQuat ) ) != 0;
+	}
+	return turned;
+}
+
+static bool* toolFindKeyedNodes(
+    const toolCharacter* character, const toolTravel* travel, const toolBakeResult* result )
 {
 	bool* keyed = toolAlloc( (size_t)character->jointCount, sizeof *keyed );
 	keyed[travel->node] = true;
 	keyed[character->rigDef.pelvis] = true;
+	int32_t spine = soleRig_GetSpine( character->rig );
+	if ( toolIsTurned( result, spine ) )
+	{
+		keyed[spine] = true;
+	}
 	if ( travel->rootMotion )
 	{
 		toolMarkChain( character, keyed, travel->source, travel->node );
@@ -382,7 +400,7 @@ void toolMakeBakedClip( const toolCharacter* character, const toolBoundClip* bou
 		.bound = bound,
 		.travel = travel,
 		.result = result,
-		.keyed = toolFindKeyedNodes( character, travel ),
+		.keyed = toolFindKeyedNodes( character, travel, result ),
 		.clip = clip,
 	};
 	for ( int32_t i = 0; i < character->jointCount; ++i )

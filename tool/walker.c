@@ -335,7 +335,8 @@ static void toolFindSpeed( toolWalker* walker )
 static bool toolSayWhereGroundEnds( const toolWalkDef* def, toolPlace place, toolError* error )
 {
 	return toolFail( error,
-	    "%s: no ground at x=%.3f, z=%.3f: the path leaves the ground there, end it earlier or lead it elsewhere",
+	    "%s: no ground at x=%.3f, z=%.3f: the path leaves the ground there, end it earlier or lead it elsewhere "
+	    "(up is +Y in a bake: no path goes up a wall or around a planet)",
 	    def->groundName, place.x, place.z );
 }
 

@@ -166,9 +166,10 @@ class Output {
 }
 defineFields(
 	Output,
-	{ pelvisOffset: "pelvisOffset_w", pelvisTranslation: "pelvisTranslation_l", bodyGradient: "bodyGradient_w" },
+	{ pelvisOffset: "pelvisOffset_w", pelvisTranslation: "pelvisTranslation_l", bodyGradient: "bodyGradient_w",
+		lean: "lean_l" },
 	{ capsuleShorter: "capsuleShorter", capsuleOffset: "capsuleOffset", secondWeight: "secondWeight",
-		groundOffset: "groundOffset", unmetTime: "unmetTime" },
+		groundOffset: "groundOffset", unmetTime: "unmetTime", activity: "activity", strength: "strength" },
 );
 
 /// What the host says of a frame, by the names of soleFrame.

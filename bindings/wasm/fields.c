@@ -143,6 +143,9 @@ static const soleWasmField soleWasmFields[] = {
 	FIELD( soleOutput, secondWeight, 'f' ),
 	FIELD( soleOutput, groundOffset, 'f' ),
 	FIELD( soleOutput, unmetTime, 'f' ),
+	FIELD( soleOutput, activity, 'i' ),
+	FIELD( soleOutput, strength, 'f' ),
+	FIELD( soleOutput, lean_l, 'f' ),
 	FIELD( soleOutput, bodyGradient_w, 'f' ),
 	FIELD( soleOutput, legs, 's' ),
 

@@ -298,6 +298,8 @@ export interface Output {
 	readonly pelvisOffset: Float32Array;
 	readonly pelvisTranslation: Float32Array;
 	readonly bodyGradient: Float32Array;
+	/** The turn that leans the trunk, before the animated rotation of the joint that carries it, parent-local. */
+	readonly lean: Float32Array;
 	readonly capsuleShorter: number;
 	readonly capsuleOffset: number;
 	readonly secondWeight: number;
@@ -305,6 +307,10 @@ export interface Output {
 	readonly groundOffset: number;
 	/** For how long no probe has met anything, s. */
 	readonly unmetTime: number;
+	/** What the character is doing: 0 stands, 1 moves, 2 runs, 3 is in the air. */
+	readonly activity: number;
+	/** How much of the placement the settings of activity leave for that. */
+	readonly strength: number;
 }
 
 export interface Mark {

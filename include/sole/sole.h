@@ -30,6 +30,9 @@ SOLE_API int32_t soleRig_GetLegCount( const soleRig* rig );
 /// The definition of a leg as it was given, its name and hinge filled in. The name lives as long as the rig.
 SOLE_API soleLegDef soleRig_GetLeg( const soleRig* rig, int32_t leg );
 SOLE_API int32_t soleRig_GetPelvis( const soleRig* rig );
+/// The joint that carries the trunk: of the pelvis's children that lead to no leg the one that carries most joints.
+/// SOLE_NONE where there is none.
+SOLE_API int32_t soleRig_GetSpine( const soleRig* rig );
 SOLE_API soleVec3 soleRig_GetUp( const soleRig* rig );
 SOLE_API soleVec3 soleRig_GetForward( const soleRig* rig );
 /// Hip to ankle along the bones in the bind pose, character space: the L of the settings.
@@ -71,7 +74,7 @@ SOLE_API void soleSolve( const soleRig* rig, const soleSettings* settings, soleS
     const soleHit* hits, int32_t hitCount, soleOutput* output );
 
 /// Writes the output into a pose: rotations of the leg joints and toes, translation of the pelvis, place of detached
-/// feet. All else is left as it is.
+/// feet, lean of the trunk. All else is left as it is.
 /// @param localPose parent-local, jointCount of the rig: a copy of the frame's pose, or that pose itself.
 SOLE_API void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* localPose );
 

@@ -129,6 +129,14 @@ typedef enum soleProbeLayout
 	sole_probeLayoutForce32 = 0x7fffffff
 } soleProbeLayout;
 
+/// How heights are smoothed.
+typedef enum soleFilter
+{
+	sole_filterTime = 0, // by time alone: the same at every frame rate
+	sole_filterTick = 1, // the ground asked every 0.02 s, a share of the way with every call, as an ancestor does
+	sole_filterForce32 = 0x7fffffff
+} soleFilter;
+
 /// What a held foot turns about when the animation turns it.
 typedef enum soleLockPivot
 {
@@ -175,10 +183,11 @@ typedef struct soleSettings
 
 	struct
 	{
-		float maxSlope;  // steeper faces give height but no tilt. rad [0, 1.5] default 0.87 (50 degrees)
-		float levelGap;  // neighbouring probes further apart than 45 degrees plus this are on different levels. L
-		                 // [0, 0.5] default 0.022
-		float loadPoint; // where the sole bears, from heel 0 to toe tip 1. [0, 1] default 0.5
+		soleFilter filter; // how heights are smoothed: set where a state begins. [0, 1] default 0, by time
+		float maxSlope;    // steeper faces give height but no tilt. rad [0, 1.5] default 0.87 (50 degrees)
+		float levelGap;    // neighbouring probes further apart than 45 degrees plus this are on different levels. L
+		                   // [0, 0.5] default 0.022
+		float loadPoint;   // where the sole bears, from heel 0 to toe tip 1. [0, 1] default 0.5
 		float lookAhead; // a foot in flight rises for what its toes will pass over within this time. s [0, 0.5] default
 		                 // 0.08
 		float heightHalfLife;   // decay of ground steps under a foot in flight. s [0, 1] default 0.045
@@ -236,6 +245,24 @@ typedef struct soleSettings
 		float secondFull;  // and is full at this. L [0, 2] default 0.55
 		float secondTime;  // half-life of its weight. s [0, 2] default 0.12
 	} target;
+
+	struct
+	{
+		float slow;     // up to this speed of the root the placement is whole. L/s [0, 40] default 2.5
+		float fast;     // from this one on the character runs. L/s [0, 40] default 4.5
+		float running;  // share of the placement that is left then. [0, 1] default 1
+		float low;      // up to this height of all soles over their ground it is whole. L [0, 2] default 0.2
+		float high;     // from this one on the character is in the air. L [0, 2] default 0.4
+		float airborne; // share that is left then. [0, 1] default 1
+	} activity;
+
+	/// What the same difference of heights that blends in a second pose does without one. 0: nothing.
+	struct
+	{
+		float knee; // a foot on its way up is lifted further by this share of its rise. [0, 1] default 0
+		float hips; // the hips go away from the higher foot, by this on a slope of 45 degrees. L [0, 0.3] default 0
+		float lean; // the trunk leans to the higher foot by this share of the slope. [0, 1] default 0
+	} layer;
 
 	struct
 	{
@@ -513,6 +540,8 @@ typedef struct soleState
 	float bodyGround;       // height of that ground over the root
 	soleVec3 bodyGradient;  // its slope, horizontal
 	float pelvisHeldTime;   // for how long it had not to, s
+	soleVec3 leanSlope;     // as far as the layer has taken it up, horizontal
+	float strength;         // of the placement, by what the character is doing
 	float standing;         // 1 all feet have been down for a while .. 0 not
 	float unmetTime;        // for how long nothing was met, s
 	double worldOrigin[3];
@@ -545,6 +574,16 @@ typedef enum soleLegFlags
 	sole_legAsleep = 1 << 17,      // the foot asks one probe alone
 	sole_legFlagsForce32 = 0x7fffffff
 } soleLegFlags;
+
+/// What the character is doing as a whole.
+typedef enum soleActivity
+{
+	sole_standing = 0, // its root does not move
+	sole_moving = 1,   // slowly
+	sole_running = 2,  // or faster than settings.activity.fast
+	sole_airborne = 3, // no sole is near its ground
+	sole_activityForce32 = 0x7fffffff
+} soleActivity;
 
 /// The new pose of one leg and what is worth knowing about it.
 typedef struct soleLegOutput
@@ -599,6 +638,11 @@ typedef struct soleOutput
 	/// For how long no probe of any leg has met anything, s. What grows from the first frame on is no gap in the
 	/// ground: a mask, a layer or a cast is wrong.
 	float unmetTime;
+	/// What the character is doing, and how much of the placement settings.activity leaves for that. [0, 1]
+	soleActivity activity;
+	float strength;
+	/// The turn that leans the trunk, to be put before the animated rotation of soleRig_GetSpine(): parent-local.
+	soleQuat lean_l;
 	/// Legs that are filled in.
 	int32_t legCount;
 	soleLegOutput legs[SOLE_MAX_LEGS];

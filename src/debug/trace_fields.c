@@ -109,10 +109,13 @@ static const soleTraceField soleOutputFields[] = {
 	FLOATS( soleOutput, secondWeight ),
 	FLOATS( soleOutput, bodyGradient_w ),
 	FLOATS( soleOutput, unmetTime ),
+	INTEGERS( soleOutput, activity ),
+	FLOATS( soleOutput, strength ),
+	FLOATS( soleOutput, lean_l ),
 	INTEGERS( soleOutput, legCount ),
 };
 const soleTraceTable soleTraceOutputTable = TABLE( soleOutputFields );
-_Static_assert( offsetof( soleOutput, legs ) == 4 * 15, "all fields are in the table" );
+_Static_assert( offsetof( soleOutput, legs ) == 4 * 21, "all fields are in the table" );
 
 static const soleTraceField soleLegOutputFields[] = {
 	INTEGERS( soleLegOutput, flags ),

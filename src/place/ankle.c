@@ -235,9 +235,7 @@ static void soleWriteDetachedFoot( const solePlaceWork* work, soleLegWork* leg )
 	soleVec3 arm = soleInvRotate( leg->foot.rotation, soleSub( leg->foot.translation, leg->ankle ) );
 	soleVec3 place = soleAdd( leg->ankleReached, soleRotate( leg->footReached, arm ) );
 	int32_t parent = work->rig->slotParents[rig->footSlot];
-	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
-		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }
-	                                          : work->slots[parent];
+	soleTransform space = parent == SOLE_NONE ? soleGetNearRoot( work ) : work->slots[parent];
 	if ( rig->footBelowPelvis )
 	{
 		space.translation = soleMulAdd( space.translation, work->pelvisShift, work->up );

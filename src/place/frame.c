@@ -118,6 +118,7 @@ static void soleForget( soleState* state, int32_t legCount )
 	state->second = still;
 	state->pelvisHeld = 0.0f;
 	state->pelvisHeldTime = 0.0f;
+	state->strength = 1.0f;
 	memset( &state->balance, 0, sizeof state->balance );
 	memset( state->legs, 0, (size_t)legCount * sizeof state->legs[0] );
 	for ( int32_t i = 0; i < legCount; ++i )
@@ -168,6 +169,9 @@ void soleSetUpFrame( solePlaceWork* work )
 	}
 	if ( work->first )
 	{
+		// A jump is no motion.
+		work->rootVelocity = soleVec( 0.0f, 0.0f, 0.0f );
+		work->rootSpeed = 0.0f;
 		soleForget( work->state, work->legCount );
 	}
 	work->angles = soleTakeAngles( work->settings );

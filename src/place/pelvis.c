@@ -228,7 +228,8 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 
 // --------------------------------------------------------------------------------------------------------- sideways
 
-/// The pelvis goes along with what the feet are shifted by on the mean, as far as that is wanted.
+/// The pelvis goes along with what the feet are shifted by on the mean, as far as that is wanted, and away from a foot
+/// that stands much higher (layer.c).
 static void soleKeepBalance( solePlaceWork* work, float legLength )
 {
 	soleVec3 sum = soleVec( 0.0f, 0.0f, 0.0f );
@@ -246,6 +247,7 @@ static void soleKeepBalance( solePlaceWork* work, float legLength )
 	}
 	const soleSettings* s = work->settings;
 	soleVec3 goal = soleScale( weights > 0.0f ? s->pelvis.balance / weights : 0.0f, sum );
+	goal = s->layer.hips > 0.0f ? soleAdd( goal, work->hipShift ) : goal;
 	float length = soleLength( goal );
 	float most = s->pelvis.sideways * legLength;
 	goal = length > most ? soleScale( most / length, goal ) : goal;

@@ -21,6 +21,7 @@ static void solePassThrough( const soleRig* rig, const soleFrame* frame, float s
 {
 	memset( out, 0, offsetof( soleOutput, legs ) + (size_t)rig->legCount * sizeof out->legs[0] );
 	out->legCount = rig->legCount;
+	out->lean_l = soleQuat_Identity();
 	bool readable = frame != NULL && frame->pose != NULL;
 	if ( readable )
 	{
@@ -81,6 +82,7 @@ void soleScrubOutput( const soleRig* rig, soleOutput* out )
 		o->extension = soleFiniteOr( o->extension, 0.0f );
 		o->heightDemand = soleFiniteOr( o->heightDemand, 0.0f );
 	}
+	soleScrubQuat( &out->lean_l );
 	if ( !soleVec3_IsFinite( out->pelvisTranslation_l ) || !soleVec3_IsFinite( out->pelvisOffset_w ) )
 	{
 		out->pelvisTranslation_l = soleVec( 0.0f, 0.0f, 0.0f );
@@ -103,15 +105,18 @@ static void soleWritePelvis( solePlaceWork* work )
 		return;
 	}
 	int32_t parent = work->rig->slotParents[work->rig->pelvisSlot];
-	soleTransform space = parent == SOLE_NONE ? ( soleTransform ){ { 0.0f, 0.0f, 0.0f },
-		soleNormalizeQuat( work->frame->root.rotation ), work->frame->root.scale }
-	                                          : work->slots[parent];
+	soleTransform space = parent == SOLE_NONE ? soleGetNearRoot( work ) : work->slots[parent];
 	// Added to what the animation has, so that no shift leaves it as it is, to the bit.
 	space.translation = soleVec( 0.0f, 0.0f, 0.0f );
 	out->pelvisTranslation_l = soleAdd( out->pelvisTranslation_l, soleInvTransformPoint( space, out->pelvisOffset_w ) );
 }
 
 // ------------------------------------------------------------------------------------------------------- the frame
+
+static bool soleGoesByTicks( const solePlaceWork* work )
+{
+	return work->settings->support.filter == sole_filterTick;
+}
 
 void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings* settings, soleState* state,
     const soleFrame* frame, soleOutput* out )
@@ -125,6 +130,11 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	soleTakeState( rig, frame, state );
 	soleSetUpFrame( work );
 	soleSense( work );
+	if ( soleGoesByTicks( work ) )
+	{
+		soleCountTick( work );
+		return;
+	}
 	soleForesee( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
@@ -132,13 +142,9 @@ void soleBeginFrame( solePlaceWork* work, const soleRig* rig, const soleSettings
 	}
 }
 
-/// From the answers of the ground to where the pelvis goes.
-static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
+/// From what is on the ground to where the body goes.
+static void soleFindTargets( solePlaceWork* work )
 {
-	solePassThrough( work->rig, work->frame, work->second, work->out );
-	soleFindSupport( work, hits );
-	SOLE_STAGE_END( "support" );
-	soleUpdateContact( work );
 	soleLearnSteps( work );
 	SOLE_STAGE_END( "contact" );
 	soleTakeResteps( work );
@@ -151,8 +157,21 @@ static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
 	soleDemandSecondPose( work );
 	SOLE_STAGE_END( "target" );
 	soleFindBodyGround( work );
+	soleAddLayer( work );
 	soleMovePelvis( work );
 	SOLE_STAGE_END( "pelvis" );
+}
+
+/// From the answers of the ground to where the pelvis goes.
+static void soleReachFrame( solePlaceWork* work, const soleLegHits* hits )
+{
+	solePassThrough( work->rig, work->frame, work->second, work->out );
+	soleFindSupport( work, hits );
+	soleGoesByTicks( work ) ? soleKeepTick( work ) : (void)0;
+	SOLE_STAGE_END( "support" );
+	soleUpdateContact( work );
+	soleFindActivity( work );
+	soleGoesByTicks( work ) ? soleFollowTick( work ) : soleFindTargets( work );
 }
 
 void soleFinishAnkle( const solePlaceWork* work, soleLegWork* leg )
@@ -178,6 +197,7 @@ void soleFinishLeg( const solePlaceWork* work, soleLegWork* leg )
 static void soleCloseFrame( solePlaceWork* work )
 {
 	soleState* state = work->state;
+	soleGoesByTicks( work ) ? soleRememberShown( work ) : (void)0;
 	soleRememberBodies( work );
 	soleWritePelvis( work );
 	for ( int32_t i = 0; i < work->legCount; ++i )
@@ -197,7 +217,7 @@ void soleEndFrame( solePlaceWork* work, const soleLegHits* hits )
 	{
 		soleFinishLeg( work, work->legs + i );
 	}
-	SOLE_STAGE_END( "leg" );
+	SOLE_STAGE_END( "leg and ankle" );
 	soleCloseFrame( work );
 }
 
@@ -318,6 +338,12 @@ void soleApply( const soleRig* rig, const soleOutput* output, soleTransform* loc
 		return;
 	}
 	localPose[rig->pelvis].translation = output->pelvisTranslation_l;
+	soleVec3 lean = soleVec( output->lean_l.x, output->lean_l.y, output->lean_l.z );
+	if ( rig->spine != SOLE_NONE && soleDot( lean, lean ) > 0.0f )
+	{
+		localPose[rig->spine].rotation =
+		    soleNormalizeQuat( soleMulQuat( output->lean_l, soleNormalizeQuat( localPose[rig->spine].rotation ) ) );
+	}
 	for ( int32_t i = 0; i < rig->legCount; ++i )
 	{
 		const soleLegDef* leg = &rig->legs[i].def;

@@ -29,7 +29,9 @@ enum
 	sole_stateTooLow = 1 << 12,  // which was out of reach
 	sole_stateTooHigh = 1 << 13,
 	sole_stateTooSteep = 1 << 14,
-	sole_stateAsleep = 1 << 15, // one probe was asked for
+	sole_stateAsleep = 1 << 15,  // one probe was asked for
+	sole_stateRunning = 1 << 16, // what the character does, the same in all legs
+	sole_stateAirborne = 1 << 17,
 };
 
 /// What the ground is like at one place that was asked for.
@@ -213,6 +215,7 @@ typedef struct solePlaceWork
 	float rootScale;
 	float timeStep;
 	bool first;            // nothing is remembered
+	bool ticks;            // the ground is asked in this frame (tick.c)
 	soleVec3 rootVelocity; // horizontal
 	float rootSpeed;
 	soleBounds bounds;     // of the pelvis
@@ -221,6 +224,7 @@ typedef struct solePlaceWork
 	float second;          // weight of the second pose in this frame
 	float weight;          // of the whole: the largest of the legs'
 	soleVec3 balance;      // and sideways, horizontal
+	soleVec3 hipShift;     // of that, what steep steps want
 	soleAngles angles;
 	float carriedUp;  // how far along up the bodies that legs stand on have moved since the last frame
 	float bodyGround; // height of the ground that the body is over
@@ -264,6 +268,15 @@ static inline solePlane soleMakePlane( const solePlaceWork* work, soleVec3 point
 	return ( solePlane ){ point, soleNormalizeOr( soleSub( work->up, gradient ), work->up ), gradient };
 }
 
+/// The frame's root in near space: rotation of unit length.
+static inline soleTransform soleGetNearRoot( const solePlaceWork* work )
+{
+	return ( soleTransform ){ { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( work->frame->root.rotation ),
+		work->frame->root.scale };
+}
+
+/// The turn about up that points the toes outwards, away from the other side of the body.
+soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg );
 /// Share of a slope that a sole follows.
 float soleFindAlign( const solePlaceWork* work, soleVec3 gradient );
 /// The part of a foot's place that ground of some normal adds: the ankle stands over its animated place, so the sole
@@ -318,6 +331,12 @@ static inline float soleLongestRigLeg( const solePlaceWork* work )
 		longest = soleMaxF( longest, work->rig->legs[i].length );
 	}
 	return longest * work->rootScale;
+}
+
+/// Its root goes on: not exactly zero, which no measured speed is.
+static inline bool soleIsMoving( const solePlaceWork* work )
+{
+	return work->rootSpeed > 0.01f * soleLongestRigLeg( work ); // per second
 }
 
 /// Sine of the flexion below which the rig's hinge is leaned on.
@@ -394,6 +413,13 @@ void soleBlendWeights( solePlaceWork* work, soleLegWork* leg );
 void soleCarryLegs( solePlaceWork* work );
 void soleRememberBodies( solePlaceWork* work );
 
+/// In place of the stages from the learning of steps to the pelvis, where settings ask for the filter by ticks: the
+/// clock and where the ground is asked, the answers, body and legs, and what is shown of them in the end.
+void soleCountTick( solePlaceWork* work );
+void soleKeepTick( solePlaceWork* work );
+void soleFollowTick( solePlaceWork* work );
+void soleRememberShown( solePlaceWork* work );
+
 /// The stages. Each reads what those before it wrote.
 
 /// Where are hips, knees, ankles, soles; how high over the clip's own floor; how fast.
@@ -410,6 +436,8 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg );
 void soleFindSupport( solePlaceWork* work, const soleLegHits* hits );
 /// Which part of the foot is on the ground, and since when.
 void soleUpdateContact( solePlaceWork* work );
+/// What the character is doing, and how strongly its feet are placed for that.
+void soleFindActivity( solePlaceWork* work );
 /// How long a step took and where it went, for the next.
 void soleLearnSteps( solePlaceWork* work );
 /// Feet that stand but have been left behind step over.
@@ -422,10 +450,12 @@ void soleUpdateLocks( solePlaceWork* work );
 void soleSetTargets( solePlaceWork* work );
 /// Whose ground is out of reach.
 void soleClassReach( solePlaceWork* work );
-/// How much of the second pose the ground demands.
+/// How much of a second pose the ground demands.
 void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.
 void soleFindBodyGround( solePlaceWork* work );
+/// What the same demand does without one: lean, hips, knees.
+void soleAddLayer( solePlaceWork* work );
 /// One height that all legs can live with.
 void soleMovePelvis( solePlaceWork* work );
 /// The last stages go leg by leg.

@@ -278,6 +278,11 @@ static int32_t soleListPoints( const solePlaceWork* work, const soleLegWork* leg
 	{
 		return 0;
 	}
+	if ( work->settings->support.filter == sole_filterTick )
+	{
+		points[0] = leg->soleCenter;
+		return work->ticks ? 1 : 0;
+	}
 	if ( leg->reading )
 	{
 		return soleListPlaces( leg, soleChosenFootprint( work, leg ), soleQualityPlaces, QUALITY, points );

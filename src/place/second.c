@@ -4,6 +4,7 @@
 // Where one foot stands much higher than another, no offset of the pelvis makes a good pose of one that was made for
 // level ground: a high step or a crouch is a pose of its own, which the host may give. It is blended in by how far
 // apart in height the grounds of the legs are, smoothly, for the next frame: this frame's pose has been read already.
+// A host that has none may have Sole's own layer (layer.c) go by the same.
 #include "place/place.h"
 
 void soleDemandSecondPose( solePlaceWork* work )
@@ -25,7 +26,9 @@ void soleDemandSecondPose( solePlaceWork* work )
 	}
 	float apart = ( high - low ) / soleMaxF( soleLongestLeg( work ), 1e-6f );
 	float width = soleMaxF( s->target.secondFull - s->target.secondFrom, 1e-3f );
-	float goal = work->frame->secondPose != NULL ? soleSaturate( ( apart - s->target.secondFrom ) / width ) : 0.0f;
+	bool wanted =
+	    work->frame->secondPose != NULL || s->layer.knee > 0.0f || s->layer.hips > 0.0f || s->layer.lean > 0.0f;
+	float goal = wanted ? soleSaturate( ( apart - s->target.secondFrom ) / width ) : 0.0f;
 	soleOffset1* second = &work->state->second;
 	*second = soleStepSpring( *second, goal, 0.0f, s->target.secondTime, work->timeStep );
 	*second = work->first ? ( soleOffset1 ){ goal, 0.0f } : *second;

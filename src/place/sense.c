@@ -15,8 +15,7 @@ static bool soleTransform_IsFinite( soleTransform t )
 static void soleEvaluateSlots( solePlaceWork* work )
 {
 	const soleRig* rig = work->rig;
-	soleTransform root = { { 0.0f, 0.0f, 0.0f }, soleNormalizeQuat( work->frame->root.rotation ),
-		work->frame->root.scale };
+	soleTransform root = soleGetNearRoot( work );
 	for ( int32_t i = 0; i < rig->slotCount; ++i )
 	{
 		soleTransform local = soleReadPose( work->frame, work->second, rig->slotJoints[i] );

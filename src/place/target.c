@@ -42,17 +42,6 @@ static solePlane soleFlatten( const solePlaceWork* work, const soleLegWork* leg 
 	return soleMakePlane( work, soleMulAdd( plane.point, raise, work->up ), soleScale( align, plane.gradient ) );
 }
 
-/// The turn about up that points the toes outwards, away from the other side of the body.
-static soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg )
-{
-	const soleRigLeg* rig = leg->rig;
-	float left = rig->def.side == sole_left ? work->settings->target.toeOutLeft : 0.0f;
-	float angle = rig->def.side == sole_right ? work->settings->target.toeOutRight : left;
-	// A positive turn about up takes the heading away from the foot's side vector.
-	float sign = rig->outerSide >= rig->innerSide ? -1.0f : 1.0f;
-	return soleHalfRotation( work->up, soleHalfFromAngle( sign * angle ) );
-}
-
 /// The turn that lays a foot flat whose heel its clip leaves off the floor while heel and toes are down and at rest:
 /// about what a heel is raised about, at right angles to the foot. It comes and goes with that.
 static soleQuat soleLayFlat( const solePlaceWork* work, soleLegWork* leg )

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tilt: how far a sole tilts with the ground. It follows a share of the slope, up to a furthest angle; where it stands
-// under its ankle, and how long it is seen from above, go by that tilt and not by the ground's.
+// Tilt: how far a sole tilts with the ground, and is turned outwards. It follows a share of the slope, up to a furthest
+// angle; where it stands under its ankle, and how long it is seen from above, go by that tilt and not by the ground's.
 #include "place/place.h"
 
 float soleFindAlign( const solePlaceWork* work, soleVec3 gradient )
@@ -40,4 +40,14 @@ soleFootprint soleMakeFootprint( const solePlaceWork* work, soleVec3 ball, soleV
 	float along = work->rootScale * ( 1.0f - pitch * pitch * perLean );
 	float across = work->rootScale * ( 1.0f - roll * roll * perLean );
 	return ( soleFootprint ){ ball, forward, side, along, across };
+}
+
+soleQuat soleGetToeOut( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleRigLeg* rig = leg->rig;
+	float left = rig->def.side == sole_left ? work->settings->target.toeOutLeft : 0.0f;
+	float angle = rig->def.side == sole_right ? work->settings->target.toeOutRight : left;
+	// A positive turn about up takes the heading away from the foot's side vector.
+	float sign = rig->outerSide >= rig->innerSide ? -1.0f : 1.0f;
+	return soleHalfRotation( work->up, soleHalfFromAngle( sign * angle ) );
 }

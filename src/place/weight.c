@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Weights: how much of the placement each leg gets.
 //
-// What the host says, times what settings leave to a foot in flight, to a character that moves and to a foot whose
-// ground is out of reach. The product may jump; what counts rises in target.blendIn and falls in target.blendOut.
+// What the host says, times what settings leave to a foot in flight, to a character that moves, runs or is in the air
+// (activity.c) and to a foot whose ground is out of reach. The product may jump; what counts rises in target.blendIn
+// and falls in target.blendOut.
 #include "place/place.h"
-
-#define MOVES 0.01f // L/s
 
 static float soleReadWeight( const float* weights, int32_t leg )
 {
@@ -26,7 +25,8 @@ static float soleFindShare( const solePlaceWork* work, const soleLegWork* leg )
 	const soleSettings* s = work->settings;
 	const uint32_t beyond = (uint32_t)( sole_stateTooLow | sole_stateTooHigh | sole_stateTooSteep );
 	float share = soleIsDown( work, leg ) ? 1.0f : s->target.flight;
-	share *= work->rootSpeed > MOVES * soleLongestRigLeg( work ) ? s->target.moving : 1.0f;
+	share *= soleIsMoving( work ) ? s->target.moving : 1.0f;
+	share *= work->state->strength;
 	return share * ( ( leg->state->flags & beyond ) != 0 ? s->target.unreachable : 1.0f );
 }
 

@@ -7,6 +7,9 @@
 
 #include <string.h>
 
+#define MOST_CHILDREN 32 // of the pelvis that are looked at
+#define MOST_DEPTH 64    // of joints below them
+
 soleLegDef soleDefaultLegDef( void )
 {
 	soleLegDef def = { 0 };
@@ -276,6 +279,44 @@ static soleResult soleBakeLeg( const soleRigDef* def, soleRig* rig, int32_t inde
 	return sole_success;
 }
 
+/// The pelvis's child that leads to no leg and carries most joints, the first of equals.
+static int32_t soleFindSpine( const soleRig* rig )
+{
+	int32_t children[MOST_CHILDREN];
+	int32_t carried[MOST_CHILDREN];
+	int32_t count = 0;
+	int32_t best = SOLE_NONE;
+	for ( int32_t i = 0; i < rig->jointCount; ++i )
+	{
+		int32_t child = i;
+		for ( int32_t k = 0; k < MOST_DEPTH && child != SOLE_NONE && rig->parents[child] != rig->pelvis; ++k )
+		{
+			child = rig->parents[child];
+		}
+		if ( child == SOLE_NONE || rig->parents[child] != rig->pelvis || soleFindSlot( rig, child ) != SOLE_NONE )
+		{
+			continue;
+		}
+		int32_t k = 0;
+		while ( k < count && children[k] != child )
+		{
+			++k;
+		}
+		if ( k == count && count < MOST_CHILDREN )
+		{
+			children[count] = child;
+			carried[count] = 0;
+			++count;
+		}
+		if ( k < count )
+		{
+			++carried[k];
+			best = best == SOLE_NONE || carried[k] > carried[best] ? k : best;
+		}
+	}
+	return best == SOLE_NONE ? SOLE_NONE : children[best];
+}
+
 soleResult soleCreateRig(
     const soleRigDef* def, const soleAllocator* allocator, soleRig** rigOut, soleMessage* message )
 {
@@ -326,6 +367,7 @@ soleResult soleCreateRig(
 		soleDestroyRig( rig );
 		return result;
 	}
+	rig->spine = soleFindSpine( rig );
 	*rigOut = rig;
 	return sole_success;
 }
@@ -377,6 +419,12 @@ int32_t soleRig_GetPelvis( const soleRig* rig )
 {
 	SOLE_ASSERT( rig != NULL );
 	return rig != NULL ? rig->pelvis : SOLE_NONE;
+}
+
+int32_t soleRig_GetSpine( const soleRig* rig )
+{
+	SOLE_ASSERT( rig != NULL );
+	return rig != NULL ? rig->spine : SOLE_NONE;
 }
 
 soleVec3 soleRig_GetUp( const soleRig* rig )

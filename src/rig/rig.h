@@ -71,6 +71,7 @@ struct soleRig
 	int16_t pelvisSlot;
 
 	int32_t pelvis;
+	int32_t spine; // the joint that carries the trunk, or SOLE_NONE
 	soleVec3 up;
 	soleVec3 forward;
 	soleSettingRanges settingRanges;

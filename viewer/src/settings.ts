@@ -4,6 +4,7 @@ import effector from '../../settings/effector.json';
 import homebrew from '../../settings/homebrew.json';
 import ikSetting from '../../settings/iksetting.json';
 import ozz from '../../settings/ozz.json';
+import steps from '../../settings/steps.json';
 import type { SettingInfo, SettingValues } from './library';
 
 export function defaultsOf( infos: readonly SettingInfo[] ): SettingValues
@@ -59,6 +60,7 @@ export const presets: readonly Preset[] = [
 	{ name: 'Heavy: slow body', values: { 'pelvis.halfLife': 0.16, 'pelvis.release': 0.45, 'pelvis.speed': 0.6, 'contact.replantTime': 0.4 } },
 	{ name: 'Nimble: quick body', values: { 'pelvis.halfLife': 0.04, 'pelvis.hold': 0.4, 'contact.releaseHalfLife': 0.04, 'contact.replantTime': 0.18 } },
 	{ name: 'Rough ground: spheres', values: { 'probe.shape': 1, 'probe.radius': 0.04, 'probe.stepUp': 0.7, 'probe.stepDown': 0.8 } },
+	{ name: 'High steps: knees, hips and trunk', values: flatten( steps ) },
 	{ name: 'As Homebrew Foot IK', values: flatten( homebrew ) },
 	{ name: 'As IKSetting', values: flatten( ikSetting ) },
 	{ name: 'As And I Must Scream', values: flatten( effector ) },

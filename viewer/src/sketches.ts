@@ -214,6 +214,26 @@ function sleep( seconds: number ): string
 	return seconds > 0 ? probes( 2 ) + text( 24, 26, `${seconds.toFixed( 1 )} s` ) : probes( 0 );
 }
 
+/// A share of what is left with every call, in steps; or all the time.
+function smoothing( kind: number ): string
+{
+	const steps = [ 1, 0.5, 0.25, 0.125, 0.0625 ].map( ( left, k ) => `L${8 + 22 * k} ${GROUND - 76 * left} L${30 + 22 * k} ${GROUND - 76 * left}` ).join( ' ' );
+	return kind > 0 ? ground() + path( `M8 16 ${steps}` ) + text( 96, 28, '0.02 s' ) : decay( 0.1 );
+}
+
+/// A leg on a high step beside one on the ground, and what is changed for it: a knee, the hips or the trunk.
+function highStep( part: 'knee' | 'hips' | 'lean', value: number ): string
+{
+	const step = line( 6, GROUND, 70, GROUND, ink, 1.5 ) + line( 70, GROUND, 70, 68, ink, 1.5 ) + line( 70, 68, 122, 68, ink, 1.5 );
+	const hips = part === 'hips' ? -60 * value : 0;
+	const knee = part === 'knee' ? -16 * value : 0;
+	const lean = part === 'lean' ? 26 * value : 0;
+	return step + path( `M${52 + hips} 44 L54 68 L48 88` ) + foot( 48, 88 ) +
+		path( `M${52 + hips} 44 L82 ${44 + knee} L80 ${64 + knee}`, part === 'knee' ? strong : ink ) + foot( 80, 64 + knee ) +
+		line( 52 + hips, 44, 52 + hips + lean, 12, part === 'lean' ? strong : ink, 3 ) +
+		circle( 52 + hips, 44, 4, part === 'hips' ? strong : ink, part === 'hips' ? strong : 'none' );
+}
+
 type Sketch = ( value: number, most: number ) => string;
 
 const byName: Record<string, Sketch> = {
@@ -223,6 +243,7 @@ const byName: Record<string, Sketch> = {
 	'probe.stepUp': ( v ) => height( v ),
 	'probe.stepDown': ( v ) => height( v, -1 ),
 	'probe.sleep': sleep,
+	'support.filter': smoothing,
 	'support.maxSlope': slope,
 	'contact.pivot': pivot,
 	'contact.lockDistance': ring,
@@ -237,6 +258,13 @@ const byName: Record<string, Sketch> = {
 	'target.flight': ( v ) => kept( v, 22 ),
 	'target.moving': ( v ) => kept( v, 22 ) + path( 'M12 20 L40 20 M34 15 L40 20 L34 25' ),
 	'target.unreachable': ( v ) => kept( v, -22 ),
+	'activity.running': ( v ) => kept( v, 22 ) + path( 'M12 20 L48 20 M42 15 L48 20 L42 25 M20 28 L36 28' ),
+	'activity.airborne': ( v ) => kept( v, 22 ) + path( 'M20 40 L20 14 M15 20 L20 14 L25 20' ),
+	'activity.low': lifted,
+	'activity.high': lifted,
+	'layer.knee': ( v ) => highStep( 'knee', v ),
+	'layer.hips': ( v ) => highStep( 'hips', v ),
+	'layer.lean': ( v ) => highStep( 'lean', v ),
 	'pelvis.follow': follow,
 	'pelvis.mode': mover,
 	'pelvis.down': ( v ) => pelvis( v, 1 ),
