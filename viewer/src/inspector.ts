@@ -11,6 +11,7 @@ import { SKETCH_BOX, sketchSetting } from './sketches';
 const enumNames: Record<string, string[]> = {
 	'probe.shape': [ 'ray', 'sphere' ],
 	'probe.layout': [ 'economy', 'quality', 'single' ],
+	'support.filter': [ 'by time', 'by call' ],
 	'contact.pivot': [ 'nothing', 'ball', 'ankle' ],
 	'pelvis.follow': [ 'steps', 'planted feet', 'lowest foot' ],
 	'pelvis.mode': [ 'its joint', 'the root', 'nobody' ],
@@ -120,14 +121,12 @@ export class Inspector
 
 	private addRow( folder: GUI, info: SettingInfo ): Controller
 	{
-		const names = enumNames[ info.name ];
-		if ( info.kind === 'choice' && names !== undefined )
-		{
-			return folder.add( this.values, info.name, Object.fromEntries( names.map( ( name, value ) => [ name, value ] ) ) );
-		}
 		if ( info.kind === 'choice' )
 		{
-			return folder.add( this.values, info.name, { off: 0, on: 1 } );
+			// A choice whose values have no names yet has numbers; a switch is on or off.
+			const count = info.maximum + 1;
+			const names = enumNames[ info.name ] ?? ( count === 2 ? [ 'off', 'on' ] : Array.from( { length: count }, ( _, value ) => String( value ) ) );
+			return folder.add( this.values, info.name, Object.fromEntries( names.map( ( name, value ) => [ name, value ] ) ) );
 		}
 		if ( info.kind === 'mask' )
 		{
