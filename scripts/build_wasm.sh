@@ -30,7 +30,7 @@ methodNames=( malloc free soleGetSettingInfos soleDefaultSettings soleSettings_G
 	soleDestroyGround soleGround_GetTriangleCount soleCastProbe soleCastPieces
 	soleWasm_CreateCharacter soleWasm_CastGround soleWasm_CastPieces
 	soleAncestor_GetByteCount soleStartAncestor soleGatherAncestor soleSolveAncestor
-	soleGetAncestorSettingInfos soleAncestor_GetSetting soleAncestor_SetSetting soleWasm_DrawMethod )
+	soleGetAncestorSettingInfos soleAncestor_GetSetting soleAncestor_SetSetting soleDrawAncestor soleWasm_MakePen )
 stageNames=( malloc free soleReplayTrace )
 
 target=( --target=wasm32-wasi --sysroot=/usr )
@@ -49,14 +49,14 @@ runtime=( malloc calloc free memcpy memmove memset strlen )
 optimize=( --low-memory-unused --flatten --rereloop -Oz -Oz --strip-producers --const-hoisting
 	--enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext )
 
-# compile FOLDER SOURCE FLAG...: all sources below a folder, or one, as bitcode that is not optimised yet. What only the
-# page uses, and the table of fields, have to be named.
+# compile FOLDER SOURCE FLAG...: all sources below a folder, or one, as bitcode that is not optimised yet. The table of
+# fields has to be named.
 compile()
 {
 	local folder=$output/$1 source=$2
 	shift 2
 	mkdir -p "$folder"
-	find "$source" -name '*.c' -not -path "$source/page/*" \( -not -name fields.c -o -path "$source" \) -print0 | sort -z |
+	find "$source" -name '*.c' \( -not -name fields.c -o -path "$source" \) -print0 | sort -z |
 		xargs -0 -P 2 -I FILE bash -c '
 			folder=$1 file=$2
 			shift 2
@@ -103,7 +103,6 @@ page()
 build '' '' ''
 build -simd -msimd128 --enable-simd
 compile objects baselines -I.
-compile objects $binding/page/method_draw.c -I.
 page sole-methods "${methodNames[@]}"
 compile objects src/place/place.c -include $binding/page/stage_hook.h
 page sole-stages "${stageNames[@]}"

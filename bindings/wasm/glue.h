@@ -72,7 +72,7 @@ void soleWasm_CastPieces( soleWasmCharacter* character, const soleGroundPiece* p
 void soleWasm_CastGround( soleWasmCharacter* character, const soleGround* ground );
 /// Solves, and puts the placed pose beside the animated one.
 void soleWasm_Solve( soleWasmCharacter* character );
-/// What draws into a list.
+/// What draws into a list, for what has callbacks.
 soleDebugDraw soleWasm_MakePen( soleWasmMarks* list, uint32_t mask );
 /// @return how many marks there are; at most capacity are written
 int32_t soleWasm_Draw( const soleWasmCharacter* character, uint32_t mask, soleWasmMark* marks, int32_t capacity );

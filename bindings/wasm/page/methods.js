@@ -100,8 +100,21 @@ class MethodCharacter extends Character {
 
 	/// What the last frame shows of itself, as a list.
 	draw(mask = 0xffffffff) {
-		const { exports } = this.#module;
-		return this.#marks.collect((at, capacity) => exports.soleWasm_DrawMethod(this.at, mask, at, capacity));
+		const { memory, exports } = this.#module;
+		return memory.scope((scope) => {
+			const [pen, list] = [scope.struct("soleDebugDraw"), scope.struct("soleWasmMarks")];
+			exports.soleWasm_MakePen(pen, list, mask);
+			// soleDrawnAncestor: pointers and a count, in its order.
+			const drawn = scope.numbers(Uint32Array.of(this.rig.at, this.#inside("frame"), this.#get("placed"),
+				this.#get("probes"), this.#get("hits"), this.probeCount, this.#inside("output")));
+			return this.#marks.collect((at, capacity) => {
+				memory.set("soleWasmMarks", list, "marks", at);
+				memory.set("soleWasmMarks", list, "count", 0);
+				memory.set("soleWasmMarks", list, "capacity", capacity);
+				exports.soleDrawAncestor(pen, drawn);
+				return memory.get("soleWasmMarks", list, "count");
+			});
+		});
 	}
 
 	dispose() {
