@@ -190,6 +190,27 @@ static void testMotionCaptureIsWrittenAsBaked( void** state )
 	testCheckFile( "mocap-bvh/cmu_02_01_walk.glb", NULL, "02_01", 1.0f, 1e-4 );
 }
 
+static void testATrunkThatLeansIsWrittenAsBaked( void** state )
+{
+	(void)state;
+	TEST_NEEDS_DATA( "human-quaternius-ual/human-base-animations.glb" );
+	testTake take;
+	soleSettings settings = soleDefaultSettings();
+	settings.layer.lean = 1.0f;
+	settings.target.secondFrom = 0.0f;
+	settings.target.secondFull = 0.05f;
+	testOpen( &take, "human-quaternius-ual/human-base-animations.glb", NULL, "Walk_Loop", 1.0f );
+	take.def.settings = &settings;
+	testRun( &take, "sole" );
+	size_t last = (size_t)( take.result.walk.frameCount - 1 ) * (size_t)take.result.jointCount;
+	size_t spine = last + (size_t)soleRig_GetSpine( take.character.rig );
+	soleQuat turn =
+	    soleMulQuat( soleConjugate( take.result.input[spine].rotation ), take.result.output[spine].rotation );
+	assert_true( fabsf( turn.w ) < 0.9999f );
+	testWritten( &take, "sole", 1e-4 );
+	testClose( &take );
+}
+
 static void testAScaledCharacterIsWrittenAsBaked( void** state )
 {
 	(void)state;
@@ -363,6 +384,7 @@ int main( void )
 		cmocka_unit_test( testAnInPlaceWalkIsWrittenAsBaked ),
 		cmocka_unit_test( testRootMotionIsWrittenAsBaked ),
 		cmocka_unit_test( testMotionCaptureIsWrittenAsBaked ),
+		cmocka_unit_test( testATrunkThatLeansIsWrittenAsBaked ),
 		cmocka_unit_test( testAScaledCharacterIsWrittenAsBaked ),
 		cmocka_unit_test( testAClipOfAnotherFileIsWrittenAsBaked ),
 		cmocka_unit_test( testDetachedFeetAreWrittenAsBaked ),

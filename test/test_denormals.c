@@ -50,15 +50,21 @@ static bool isDenormal( uint32_t word )
 	return ( word & 0x7f800000u ) == 0 && ( word & 0x007fffffu ) != 0;
 }
 
-static void nothingThatIsRememberedIsDenormal( void** state )
+/// @param change what is different in the settings. May be NULL
+static void checkMemory( void ( *change )( soleSettings* settings ) )
 {
-	(void)state;
 	static testRun run;
 	startWanderer( &run );
+	change != NULL ? change( &run.settings ) : (void)0;
 	size_t first = offsetof( soleState, root_w ) / 4;
 	size_t legs = offsetof( soleState, legs ) / 4;
 	for ( int32_t i = 0; i < WALK_FRAMES + STAND_FRAMES; ++i )
 	{
+		// What ticks follow comes to nothing with the ground.
+		bool flat = run.settings.support.filter == sole_filterTick && i >= WALK_FRAMES;
+		run.ground.slopeX = flat ? 0.0f : run.ground.slopeX;
+		run.ground.rise = flat ? 0.0f : run.ground.rise;
+		run.frame.root.translation.y = flat ? 0.0f : run.frame.root.translation.y;
 		stepWanderer( &run, i );
 		static uint32_t words[sizeof( soleState ) / 4];
 		memcpy( words, &run.state, sizeof run.state );
@@ -74,6 +80,31 @@ static void nothingThatIsRememberedIsDenormal( void** state )
 		}
 	}
 	testEndRun( &run );
+}
+
+static void takeLayers( soleSettings* settings )
+{
+	settings->layer.knee = 0.3f;
+	settings->layer.hips = 0.1f;
+	settings->layer.lean = 0.3f;
+	settings->target.secondFrom = 0.0f;
+	settings->activity.running = 0.0f;
+	settings->activity.slow = 0.0f;
+	settings->activity.fast = 0.5f;
+	settings->activity.airborne = 0.0f;
+}
+
+static void takeTicks( soleSettings* settings )
+{
+	settings->support.filter = sole_filterTick;
+}
+
+static void nothingThatIsRememberedIsDenormal( void** state )
+{
+	(void)state;
+	checkMemory( NULL );
+	checkMemory( takeLayers );
+	checkMemory( takeTicks );
 }
 
 static void oneWhoStandsMeetsNone( void** state )

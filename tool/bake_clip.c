@@ -195,7 +195,9 @@ static bool toolIsTurned( const toolBakeResult* result, int32_t joint )
 	for ( int32_t i = 0; i < result->walk.frameCount && joint != SOLE_NONE; ++i )
 	{
 		size_t at = (size_t)i * (size_t)result->jointCount + (size_t)joint;
-		turned = turned || memcmp( &result->input[at].rotation, &result->output[at].rotation, sizeof( soleQuat ) ) != 0;
+		soleQuat in = result->input[at].rotation;
+		soleQuat out = result->output[at].rotation;
+		turned = turned || in.x != out.x || in.y != out.y || in.z != out.z || in.w != out.w;
 	}
 	return turned;
 }

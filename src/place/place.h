@@ -333,6 +333,12 @@ static inline float soleLongestRigLeg( const solePlaceWork* work )
 	return longest * work->rootScale;
 }
 
+/// Any part of the layer for high steps is on.
+static inline bool soleHasLayer( const soleSettings* settings )
+{
+	return settings->layer.knee > 0.0f || settings->layer.hips > 0.0f || settings->layer.lean > 0.0f;
+}
+
 /// Its root goes on: not exactly zero, which no measured speed is.
 static inline bool soleIsMoving( const solePlaceWork* work )
 {

@@ -26,8 +26,7 @@ void soleDemandSecondPose( solePlaceWork* work )
 	}
 	float apart = ( high - low ) / soleMaxF( soleLongestLeg( work ), 1e-6f );
 	float width = soleMaxF( s->target.secondFull - s->target.secondFrom, 1e-3f );
-	bool wanted =
-	    work->frame->secondPose != NULL || s->layer.knee > 0.0f || s->layer.hips > 0.0f || s->layer.lean > 0.0f;
+	bool wanted = work->frame->secondPose != NULL || soleHasLayer( s );
 	float goal = wanted ? soleSaturate( ( apart - s->target.secondFrom ) / width ) : 0.0f;
 	soleOffset1* second = &work->state->second;
 	*second = soleStepSpring( *second, goal, 0.0f, s->target.secondTime, work->timeStep );

@@ -20,6 +20,7 @@
 
 #define TICK 0.02f // s
 #define LN_2 0.6931472f
+#define NOTHING 1e-9f // L: what is nearer is there, and does not go on among the smallest floats
 
 static float soleFindShare( float halfLife )
 {
@@ -99,7 +100,9 @@ static void soleLerpLeg( solePlaceWork* work, soleLegWork* leg )
 	soleLegState* state = leg->state;
 	float height = soleDot( soleSub( leg->raw.point, work->floor ), work->rootUp );
 	float share = leg->hasGround ? soleFindShare( work->settings->support.heightHalfLife ) : 0.0f;
-	state->height.value += share * ( height - state->height.value );
+	float left = ( height - state->height.value ) * ( 1.0f - share );
+	float least = NOTHING * leg->length;
+	state->height.value = leg->hasGround && left < least && left > -least ? height : height - left;
 	float raised = leg->hasGround ? state->height.value : 0.0f;
 	soleVec3 moved = soleMulAdd( leg->ankle, work->pelvisShift, work->up );
 	leg->ankleWanted = soleMulAdd( leg->ankle, raised, work->rootUp );

@@ -8,6 +8,7 @@
 #include "debug/trace_internal.h"
 #include "place/leg_wide.h"
 
+#include "sole/crowd.h"
 #include "sole/ground.h"
 #include "sole/limb.h"
 
@@ -251,6 +252,16 @@ static uint64_t testDigestFields( uint64_t digest, const soleTraceTable* table, 
 	return digest;
 }
 
+static uint64_t testDigestOutput( uint64_t digest, const soleOutput* output )
+{
+	digest = testDigestFields( digest, &soleTraceOutputTable, output );
+	for ( int32_t i = 0; i < output->legCount; ++i )
+	{
+		digest = testDigestFields( digest, &soleTraceLegOutputTable, output->legs + i );
+	}
+	return digest;
+}
+
 /// Plays a trace: what is asked of the ground and what comes out in each frame. @return false where it is none
 static bool testDigestTrace( const void* bytes, size_t byteCount, uint64_t* digest, int32_t* frameCount )
 {
@@ -272,21 +283,122 @@ static bool testDigestTrace( const void* bytes, size_t byteCount, uint64_t* dige
 		int32_t count = soleGatherProbes( rig, step->settings, &memory, step->frame, probes, SOLE_MAX_PROBES );
 		*digest = testDigestWord( *digest, soleGetProbeChecksum( probes, count ) );
 		soleSolve( rig, step->settings, &memory, step->frame, step->hits, step->hitCount, &output );
-		*digest = testDigestFields( *digest, &soleTraceOutputTable, &output );
-		for ( int32_t i = 0; i < output.legCount; ++i )
-		{
-			*digest = testDigestFields( *digest, &soleTraceLegOutputTable, output.legs + i );
-		}
+		*digest = testDigestOutput( *digest, &output );
 		*frameCount += 1;
 	}
 	soleCloseTrace( player );
 	return result == sole_success;
 }
 
+// ----------------------------------------------------------------------------------------------------------- crowds
+
+#define MEMBERS 17 // one more than the widest lanes
+#define CROWD_FRAMES 40
+#define CROWD_PROBES ( MEMBERS * SOLE_MAX_PROBES )
+
+/// Characters that set out one frame after another through the same trace.
+typedef struct testCrowd
+{
+	soleTracePlayer* players[MEMBERS];
+	const soleTraceStep* steps[MEMBERS];
+	soleCrowd* crowd;
+	void* work;
+	soleFrame frames[MEMBERS];
+	soleCrowdAsk asks[MEMBERS];
+	soleProbe probes[CROWD_PROBES];
+	soleHit hits[CROWD_PROBES];
+} testCrowd;
+
+static bool testOpenCrowd( const void* bytes, size_t byteCount, testCrowd* c )
+{
+	memset( c, 0, sizeof *c );
+	for ( int32_t k = 0; k < MEMBERS; ++k )
+	{
+		bool good = soleOpenTrace( bytes, byteCount, NULL, c->players + k, NULL ) == sole_success;
+		for ( int32_t i = 0; i <= k && good; ++i )
+		{
+			good = soleTracePlayer_Next( c->players[k], c->steps + k, NULL ) == sole_success && c->steps[k] != NULL;
+		}
+		if ( good == false )
+		{
+			return false;
+		}
+	}
+	soleCrowdDef def = soleDefaultCrowdDef();
+	def.rig = soleTracePlayer_GetRig( c->players[0] );
+	def.capacity = MEMBERS;
+	def.settings = *c->steps[0]->settings;
+	if ( soleCreateCrowd( &def, NULL, &c->crowd, NULL ) != sole_success )
+	{
+		return false;
+	}
+	for ( int32_t k = 0; k < MEMBERS; ++k )
+	{
+		soleAddToCrowd( c->crowd );
+	}
+	c->work = malloc( soleCrowd_GetWorkSize( c->crowd, MEMBERS ) );
+	return c->work != NULL;
+}
+
+static void testCloseCrowd( testCrowd* c )
+{
+	free( c->work );
+	soleDestroyCrowd( c->crowd );
+	for ( int32_t k = 0; k < MEMBERS; ++k )
+	{
+		soleCloseTrace( c->players[k] );
+	}
+}
+
+/// A frame of the crowd. Who sets out later asks for other places than were asked for in the trace: any answer will do.
+static uint64_t testStepCrowd( testCrowd* c, uint64_t digest )
+{
+	for ( int32_t k = 0; k < MEMBERS; ++k )
+	{
+		c->frames[k] = *c->steps[k]->frame;
+	}
+	soleGatherCrowd( c->crowd, 0, MEMBERS, c->frames, c->probes, CROWD_PROBES, c->asks, c->work );
+	for ( int32_t k = 0; k < MEMBERS; ++k )
+	{
+		const soleTraceStep* step = c->steps[k];
+		for ( int32_t i = 0; i < c->asks[k].count; ++i )
+		{
+			soleHit miss = { .surface = SOLE_NONE };
+			c->hits[c->asks[k].first + i] = step->hitCount > 0 ? step->hits[i % step->hitCount] : miss;
+		}
+	}
+	soleSolveCrowd( c->crowd, 0, MEMBERS, c->frames, c->probes, c->hits, c->asks, c->work );
+	for ( int32_t k = 0; k < MEMBERS; ++k )
+	{
+		digest = testDigestOutput( digest, soleCrowd_GetOutput( c->crowd, k ) );
+	}
+	return digest;
+}
+
+static bool testDigestCrowd( const void* bytes, size_t byteCount, uint64_t* digest )
+{
+	static testCrowd crowd;
+	bool good = testOpenCrowd( bytes, byteCount, &crowd );
+	for ( int32_t i = 0; i < CROWD_FRAMES && good; ++i )
+	{
+		*digest = testStepCrowd( &crowd, *digest );
+		for ( int32_t k = 0; k < MEMBERS && good; ++k )
+		{
+			good = soleTracePlayer_Next( crowd.players[k], crowd.steps + k, NULL ) == sole_success &&
+			    crowd.steps[k] != NULL;
+		}
+	}
+	testCloseCrowd( &crowd );
+	return good;
+}
+
+// ----------------------------------------------------------------------------------------------------------- output
+
 static bool testPrintSolves( char** names, int count )
 {
 	char* bytes = malloc( MOST_TRACE_BYTES );
 	uint64_t digest = DIGEST_START;
+	uint64_t crowds = DIGEST_START;
 	int32_t frameCount = 0;
 	bool good = bytes != NULL;
 	for ( int i = 0; i < count && good; ++i )
@@ -297,15 +409,16 @@ static bool testPrintSolves( char** names, int count )
 		{
 			fclose( file );
 		}
-		good = testDigestTrace( bytes, byteCount, &digest, &frameCount );
+		good =
+		    testDigestTrace( bytes, byteCount, &digest, &frameCount ) && testDigestCrowd( bytes, byteCount, &crowds );
 		if ( good == false )
 		{
 			printf( "\n%s cannot be played\n", names[i] );
 		}
 	}
 	free( bytes );
-	printf( " solves %016llx (%d frames, legs up to %d wide)\n", (unsigned long long)digest, (int)frameCount,
-	    (int)soleGetBatchWidth() );
+	printf( " solves %016llx crowds %016llx (%d frames, up to %d wide)\n", (unsigned long long)digest,
+	    (unsigned long long)crowds, (int)frameCount, (int)soleGetBatchWidth() );
 	return good;
 }
 

@@ -45,9 +45,9 @@ run()
 	digests=${said%% (*}
 	expected=${expected:-$digests}
 	if [ "$digests" = "$expected" ]; then
-		printf '%-34s %s\n' "$name" "$said"
+		printf '%-37s %s\n' "$name" "$said"
 	else
-		printf '%-34s %s DIFFERENT\n' "$name" "$said"
+		printf '%-37s %s DIFFERENT\n' "$name" "$said"
 		status=1
 	fi
 }
@@ -93,7 +93,7 @@ if has clang clang-14; then
 fi
 if [ "$( uname -m )" = x86_64 ]; then
 	for lanes in "8 avx2" "16 avx512f"; do
-		grep -qw "${lanes#* }" /proc/cpuinfo || echo "legs ${lanes% *} wide: left out: this machine has no ${lanes#* }"
+		grep -qw "${lanes#* }" /proc/cpuinfo || echo "${lanes% *} wide: left out: this machine has no ${lanes#* }"
 	done
 	# Fused operations are at hand, and must not be taken.
 	if grep -qw fma /proc/cpuinfo; then
@@ -102,7 +102,8 @@ if [ "$( uname -m )" = x86_64 ]; then
 	else
 		echo "-march=x86-64-v3: left out: this machine has no fma"
 	fi
-	if has "a processor with SSE2 alone" qemu-x86_64; then
+	if has "processors without AVX-512, and without AVX" qemu-x86_64; then
+		run "gcc -O3, a processor without AVX-512" qemu-x86_64 -cpu max "$output/gcc-O3/sole_bits"
 		run "gcc -O3, a processor of 2008" qemu-x86_64 -cpu Nehalem "$output/gcc-O3/sole_bits"
 	fi
 fi
