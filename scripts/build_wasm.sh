@@ -29,7 +29,8 @@ methodNames=( malloc free soleGetSettingInfos soleDefaultSettings soleSettings_G
 	soleDefaultGroundDef soleDefaultGroundMesh soleDefaultHeightField soleDefaultGroundPlane soleCreateGround
 	soleDestroyGround soleGround_GetTriangleCount soleCastProbe soleCastPieces
 	soleWasm_CreateCharacter soleWasm_CastGround soleWasm_CastPieces
-	soleAncestor_GetByteCount soleStartAncestor soleGatherAncestor soleSolveAncestor )
+	soleAncestor_GetByteCount soleStartAncestor soleGatherAncestor soleSolveAncestor
+	soleGetAncestorSettingInfos soleAncestor_GetSetting soleAncestor_SetSetting soleDrawAncestor soleWasm_MakePen )
 stageNames=( malloc free soleReplayTrace )
 
 target=( --target=wasm32-wasi --sysroot=/usr )
@@ -48,7 +49,8 @@ runtime=( malloc calloc free memcpy memmove memset strlen )
 optimize=( --low-memory-unused --flatten --rereloop -Oz -Oz --strip-producers --const-hoisting
 	--enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext )
 
-# compile FOLDER SOURCE FLAG...: all sources below a folder, or one, as bitcode that is not optimised yet.
+# compile FOLDER SOURCE FLAG...: all sources below a folder, or one, as bitcode that is not optimised yet. The table of
+# fields has to be named.
 compile()
 {
 	local folder=$output/$1 source=$2

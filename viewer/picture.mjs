@@ -3,8 +3,8 @@
 // usage: node viewer/picture.mjs FILE
 import { openBrowser, openPage } from './page.mjs';
 
-const query = 'scene=T02&clip=walk&method=both&time=2.3&panel=settings' +
-	'&show=placed legs,support plane,locks,footholds,targets&set=pelvis.hold:0.6';
+const query = 'scene=T02&clip=walk&method=both&time=2.1&panel=settings' +
+	'&show=placed legs,support plane,locks,footholds,targets';
 const host = await openBrowser();
 const { page } = await openPage( host, query, { deviceScaleFactor: 1 } );
 await page.screenshot( { path: process.argv[ 2 ] ?? 'docs/viewer.png' } );

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One character: its frame, what it asks of the ground, and what came out, where they lie in the module's memory. A
 // frame copies nothing but the pose and hits that the caller writes.
+import { Marks } from "./marks.js";
 import { offsetOf, refuse, sizeOf, takeCount, takeNumbers, takeVector } from "./memory.js";
 
 const TRANSFORM = 10;
@@ -183,7 +184,6 @@ defineFields(
 	{ timeStep: "timeStep", weight: "weight", clipFloor: "clipFloor", teleport: "teleport" },
 );
 
-const markKinds = ["line", "arrow", "circle", "sphere", "text"];
 
 export class Character {
 	#module;
@@ -191,8 +191,7 @@ export class Character {
 	#frame;
 	#settings;
 	#ownSettings;
-	#marks = 0;
-	#markCapacity = 0;
+	#marks;
 
 	/// @param ownSettings end with the character
 	constructor(module, rig, { settings, maxSupports = 16 }, ownSettings) {
@@ -202,6 +201,7 @@ export class Character {
 			refuse("character: has no rig or settings, or one that was disposed of: create them before");
 		}
 		this.#module = module;
+		this.#marks = new Marks(memory);
 		this.rig = rig;
 		this.at = exports.soleWasm_CreateCharacter(rig.at, maxSupports);
 		if (this.at === 0) {
@@ -399,34 +399,16 @@ export class Character {
 	/// What the last frame saw, decided and did, as a list to draw. Needs the debug module.
 	draw(mask = 0xffffffff) {
 		this.#check();
-		const { memory, exports } = this.#module;
+		const { exports } = this.#module;
 		if (exports.soleWasm_Draw === undefined) {
 			refuse("draw: this module cannot draw: load it with { debug: true }");
 		}
-		const ask = () => exports.soleWasm_Draw(this.at, mask, this.#marks, this.#markCapacity);
-		let count = ask();
-		if (count > this.#markCapacity) {
-			memory.free(this.#marks);
-			this.#markCapacity = 2 * count;
-			this.#marks = memory.allocate(this.#markCapacity * sizeOf("soleWasmMark"));
-			count = ask();
-		}
-		return Array.from({ length: count }, (_, i) => {
-			const at = this.#marks + i * sizeOf("soleWasmMark");
-			const get = (field) => memory.get("soleWasmMark", at, field);
-			const kind = markKinds[get("kind")];
-			const mark = { kind, color: get("color"), category: get("category") };
-			mark.a = Array.from(memory.view("soleWasmMark", at, "a_w"));
-			mark.b = Array.from(memory.view("soleWasmMark", at, "b_w"));
-			mark.radius = get("radius");
-			mark.text = kind === "text" ? memory.getText("soleWasmMark", at, "text") : "";
-			return mark;
-		});
+		return this.#marks.collect((at, capacity) => exports.soleWasm_Draw(this.at, mask, at, capacity));
 	}
 
 	dispose() {
 		this.#ownSettings?.dispose();
-		this.#module.memory.free(this.#marks);
+		this.#marks.dispose();
 		this.#module.memory.free(this.at);
 		this.at = 0;
 	}

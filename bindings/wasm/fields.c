@@ -317,6 +317,12 @@ static const soleWasmField soleWasmFields[] = {
 	FIELD( soleWasmCharacter, output, 's' ),
 	FIELD( soleWasmCharacter, state, 's' ),
 
+	WHOLE( soleDebugDraw ),
+	WHOLE( soleWasmMarks ),
+	FIELD( soleWasmMarks, marks, 'p' ),
+	FIELD( soleWasmMarks, count, 'i' ),
+	FIELD( soleWasmMarks, capacity, 'i' ),
+
 	WHOLE( soleWasmMark ),
 	FIELD( soleWasmMark, kind, 'i' ),
 	FIELD( soleWasmMark, color, 'u' ),

@@ -120,13 +120,6 @@ void soleWasm_Solve( soleWasmCharacter* c )
 
 // --------------------------------------------------------------------------------------------------------- drawing
 
-typedef struct soleWasmMarks
-{
-	soleWasmMark* marks;
-	int32_t count;
-	int32_t capacity;
-} soleWasmMarks;
-
 static soleWasmMark* soleAddMark( void* user, soleWasmMarkKind kind, soleVec3 a_w, uint32_t color, uint32_t category )
 {
 	static soleWasmMark surplus;
@@ -166,17 +159,23 @@ static void soleMarkText( soleVec3 place_w, const char* text, uint32_t color, ui
 	strncpy( mark->text, text, sizeof mark->text - 1 );
 }
 
-int32_t soleWasm_Draw( const soleWasmCharacter* character, uint32_t mask, soleWasmMark* marks, int32_t capacity )
+soleDebugDraw soleWasm_MakePen( soleWasmMarks* list, uint32_t mask )
 {
-	soleWasmMarks list = { .marks = marks, .capacity = capacity };
 	soleDebugDraw draw = soleDefaultDebugDraw();
 	draw.line = soleMarkLine;
 	draw.arrow = soleMarkArrow;
 	draw.circle = soleMarkCircle;
 	draw.sphere = soleMarkSphere;
 	draw.text = soleMarkText;
-	draw.user = &list;
+	draw.user = list;
 	draw.mask = mask;
+	return draw;
+}
+
+int32_t soleWasm_Draw( const soleWasmCharacter* character, uint32_t mask, soleWasmMark* marks, int32_t capacity )
+{
+	soleWasmMarks list = { .marks = marks, .capacity = capacity };
+	soleDebugDraw draw = soleWasm_MakePen( &list, mask );
 	soleDrawnFrame drawn = {
 		.rig = character->rig,
 		.settings = character->settings,

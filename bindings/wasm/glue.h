@@ -57,6 +57,14 @@ typedef struct soleWasmMark
 	char text[64];
 } soleWasmMark;
 
+/// Where marks go.
+typedef struct soleWasmMarks
+{
+	soleWasmMark* marks;
+	int32_t count; // that there would be with room
+	int32_t capacity;
+} soleWasmMarks;
+
 /// @return NULL without memory. Ends with free().
 soleWasmCharacter* soleWasm_CreateCharacter( const soleRig* rig, int32_t supportCapacity );
 int32_t soleWasm_Gather( soleWasmCharacter* character );
@@ -64,6 +72,8 @@ void soleWasm_CastPieces( soleWasmCharacter* character, const soleGroundPiece* p
 void soleWasm_CastGround( soleWasmCharacter* character, const soleGround* ground );
 /// Solves, and puts the placed pose beside the animated one.
 void soleWasm_Solve( soleWasmCharacter* character );
+/// What draws into a list, for what has callbacks.
+soleDebugDraw soleWasm_MakePen( soleWasmMarks* list, uint32_t mask );
 /// @return how many marks there are; at most capacity are written
 int32_t soleWasm_Draw( const soleWasmCharacter* character, uint32_t mask, soleWasmMark* marks, int32_t capacity );
 

@@ -5,34 +5,36 @@ import { refuse, sizeOf } from "./memory.js";
 
 const kinds = ["number", "choice", "mask"];
 
-/// The library's table of settings.
-export function readSettingInfos(module) {
-	const { memory, exports } = module;
-	return memory.scope((scope) => {
-		const countAt = scope.room(4);
-		const table = exports.soleGetSettingInfos(countAt);
-		const count = memory.getWord(countAt);
-		return Array.from({ length: count }, (_, i) => {
-			const at = table + i * sizeOf("soleSettingInfo");
-			const get = (field) => memory.get("soleSettingInfo", at, field);
-			const text = (field) => memory.getText("soleSettingInfo", at, field);
-			const name = text("name");
-			return Object.freeze({
-				name,
-				unit: text("unit"),
-				kind: kinds[get("type")],
-				minimum: get("minimum"),
-				maximum: get("maximum"),
-				default: get("defaultValue"),
-				text: settingTexts[name],
-				at,
-			});
+/// A table of settings. Sentences that the module is without lie in layout.js.
+export function readInfoTable(memory, table, count) {
+	return Array.from({ length: count }, (_, i) => {
+		const at = table + i * sizeOf("soleSettingInfo");
+		const get = (field) => memory.get("soleSettingInfo", at, field);
+		const text = (field) => memory.getText("soleSettingInfo", at, field);
+		const name = text("name");
+		return Object.freeze({
+			name,
+			unit: text("unit"),
+			kind: kinds[get("type")],
+			minimum: get("minimum"),
+			maximum: get("maximum"),
+			default: get("defaultValue"),
+			text: settingTexts[name] ?? text("text"),
+			at,
 		});
 	});
 }
 
+/// The library's table of settings.
+export function readSettingInfos({ memory, exports }) {
+	return memory.scope((scope) => {
+		const countAt = scope.room(4);
+		return readInfoTable(memory, exports.soleGetSettingInfos(countAt), memory.getWord(countAt));
+	});
+}
+
 /// The shortest number that is the same float.
-function shorten(value) {
+export function shorten(value) {
 	for (let digits = 1; digits < 9; ++digits) {
 		const short = Number(value.toPrecision(digits));
 		if (Math.fround(short) === value) {

@@ -4,7 +4,7 @@ import * as THREE from 'three';
 import { POSE_FLOATS, type CharacterInstance, type CharacterModel } from './character';
 import type { ClipFacts } from './clip';
 import type { GroundHandle } from './ground-handle';
-import { Listener, PLANTED, Placer, type BodyTold, type FootPlacer, type Frame, type RigHandle, type Shape, type SettingsHandle } from './library';
+import { Listener, PLANTED, Placer, type BodyTold, type FootPlacer, type Frame, type RigHandle, type SettingValues, type Shape, type SettingsHandle } from './library';
 import { MethodPlacer, type MethodName, type MethodWorld } from './methods';
 import { FEET_LAYERS } from './motion';
 import type { FootFigures } from './plots';
@@ -167,6 +167,12 @@ export class Body
 	draw( mask: number ): Shape[]
 	{
 		return this.placer?.draw( mask ) ?? [];
+	}
+
+	/// Settings of the method's own.
+	setOwn( values: SettingValues ): void
+	{
+		this.placer?.setOwn( values );
 	}
 
 	/// What the library tells of the last frame; null where it placed nothing.

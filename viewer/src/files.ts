@@ -57,7 +57,9 @@ export async function parseGlb( name: string, bytes: ArrayBuffer ): Promise<GLTF
 	}
 	catch ( error )
 	{
-		throw new Error( `${name}: can't be read: ${messageOf( error )}. Export it anew, without compression.` );
+		const why = messageOf( error ).replace( /^THREE\.GLTFLoader: /, '' ).replace( /\.+$/, '' );
+		throw new Error( /draco|meshopt|ktx2/i.test( why ) ? `${name}: its meshes are compressed. Export it anew, without compression.`
+			: `${name}: can't be read: ${why}. Export it anew.` );
 	}
 }
 

@@ -37,7 +37,8 @@ export class Gizmos
 	private lineCount = 0;
 	private ballCount = 0;
 
-	constructor()
+	/// @param layer of the view in which they are seen
+	constructor( layer: number )
 	{
 		const geometry = new LineSegmentsGeometry();
 		geometry.setPositions( this.places );
@@ -51,14 +52,9 @@ export class Gizmos
 		{
 			object.frustumCulled = false;
 			object.renderOrder = 10 + order;
+			object.layers.set( layer );
 			this.group.add( object );
 		}
-	}
-
-	setLayer( layer: number ): void
-	{
-		this.lines.layers.set( layer );
-		this.balls.layers.set( layer );
 	}
 
 	private addLine( from: THREE.Vector3, to: THREE.Vector3 ): void

@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Every setting: its row in the panel, and a card that says what it is and draws what it changes. Names, units, ranges,
-// defaults and sentences come from the library's table.
+// Settings of Sole or of another method: a row each in the panel, and a card that says what it is and draws what it
+// changes. Names, units, ranges, defaults and sentences come from the tables of the modules.
 import GUI, { type Controller } from 'lil-gui';
 import { History } from './history';
-import type { Library, SettingInfo, SettingValues } from './library';
-import { find, make, makeOpener, messageOf, save, say } from './page';
-import { changesOf, defaultsOf, presets, sameSettings } from './settings';
+import type { SettingInfo, SettingValues } from './library';
+import { make, makeOpener, messageOf, save, say } from './page';
+import { changesOf, defaultsOf, sameSettings, type Preset } from './settings';
 import { SKETCH_BOX, sketchSetting } from './sketches';
 
 const enumNames: Record<string, string[]> = {
 	'probe.shape': [ 'ray', 'sphere' ],
 	'probe.layout': [ 'economy', 'quality', 'single' ],
+	'support.filter': [ 'by time', 'by call' ],
 	'contact.pivot': [ 'nothing', 'ball', 'ankle' ],
 	'pelvis.follow': [ 'steps', 'planted feet', 'lowest foot' ],
 	'pelvis.mode': [ 'its joint', 'the root', 'nobody' ],
 };
 
-const unitWords: Record<string, string> = { 'L': 'leg lengths', 's': 's', 'rad': 'rad', 'L/s': 'leg lengths a second', '': 'share' };
+const unitWords: Record<string, string> = { 'L': 'leg lengths', 's': 's', 'rad': 'rad', 'L/s': 'leg lengths a second', '': 'share',
+	'deg': 'degrees', '1/s': 'a second' };
+
+/// Whose settings they are, and their text.
+export interface SettingSource
+{
+	infos: readonly SettingInfo[];
+	presets: readonly Preset[];
+	/// Of what is saved.
+	fileName: string;
+	/// What reads such files.
+	reader: string;
+	format( values: SettingValues ): string;
+	/// Throws with a sentence where the text is none of these settings.
+	parse( text: string ): SettingValues;
+}
 
 /// As many digits as a value needs.
 function formatNumber( value: number ): string
@@ -34,26 +50,28 @@ function findStep( info: SettingInfo ): number
 export class Inspector
 {
 	readonly values: SettingValues;
-	private readonly infos: readonly SettingInfo[];
+	readonly infos: readonly SettingInfo[];
 	private readonly defaults: SettingValues;
 	private readonly history: History<SettingValues>;
 	private readonly controllers = new Map<string, Controller>();
-	private readonly card = make( 'div', { id: 'card' } );
+	private readonly card = make( 'div', { class: 'card' } );
 	private readonly undo = make( 'button', { onclick: () => this.take( this.history.undo() ), title: 'Undo (Ctrl+Z)' }, 'Undo' );
 	private readonly redo = make( 'button', { onclick: () => this.take( this.history.redo() ), title: 'Redo (Ctrl+Shift+Z)' }, 'Redo' );
 	private readonly preset = make( 'select', { 'aria-label': 'Preset', onchange: () => this.takePreset() } );
 	private shown: SettingInfo;
 
-	/// @param changed called with all values whenever one has changed
-	constructor( page: HTMLElement, private readonly library: Library, private readonly changed: ( values: SettingValues ) => void )
+	/// @param page hidden while others' settings are shown
+	/// @param changed called with all values whenever one has changed, marked while only what is shown has
+	constructor( private readonly page: HTMLElement, private readonly source: SettingSource,
+		private readonly changed: ( values: SettingValues ) => void, private readonly marked: () => void )
 	{
-		const infos = this.infos = library.settingInfos;
+		const infos = this.infos = source.infos;
 		this.defaults = defaultsOf( infos );
 		this.values = { ...this.defaults };
 		this.history = new History( { ...this.values }, sameSettings );
 		this.shown = infos[ 0 ]!;
 		this.preset.append( make( 'option', { value: '' }, 'Preset…' ),
-			...presets.map( ( preset ) => make( 'option', { value: preset.name }, preset.name ) ) );
+			...source.presets.map( ( preset ) => make( 'option', { value: preset.name }, preset.name ) ) );
 		page.append( this.card, this.makeTools() );
 		this.addRows( page );
 		this.show( this.shown );
@@ -63,11 +81,13 @@ export class Inspector
 
 	private makeTools(): HTMLElement
 	{
-		const open = makeOpener( 'Load', '.json,application/json', 'Load settings as `sole` reads them',
+		const { fileName, reader } = this.source;
+		const open = makeOpener( 'Load', '.json,application/json', `Load settings as ${reader} reads them`,
 			( files ) => void this.load( files[ 0 ] ) );
-		const keep = make( 'button', { title: 'Save settings as `sole` reads them', onclick: () =>
-			save( 'settings.json', this.library.formatSettings( this.values ), 'application/json' ) }, 'Save' );
+		const keep = make( 'button', { title: `Save settings as ${reader} reads them`, onclick: () =>
+			save( fileName, this.source.format( this.values ), 'application/json' ) }, 'Save' );
 		const reset = make( 'button', { title: 'All settings to their defaults', onclick: () => this.choose( this.defaults ) }, 'Reset' );
+		this.preset.hidden = this.source.presets.length === 0;
 		return make( 'div', { class: 'page-tools' }, this.preset, this.undo, this.redo, open, keep, reset );
 	}
 
@@ -87,6 +107,7 @@ export class Inspector
 			}
 			const row = this.addRow( folder, info ).name( field );
 			row.onChange( () => this.update() );
+			row.$name.dataset[ 'unit' ] = info.unit === 'deg' ? '°' : info.unit;
 			row.onFinishChange( () => this.finish() );
 			const show = (): void => this.show( info );
 			row.domElement.addEventListener( 'pointerenter', show );
@@ -100,14 +121,17 @@ export class Inspector
 
 	private addRow( folder: GUI, info: SettingInfo ): Controller
 	{
-		const names = enumNames[ info.name ];
-		if ( info.kind === 'choice' && names !== undefined )
+		if ( info.kind === 'choice' )
 		{
+			// A choice whose values have no names yet has numbers; a switch is on or off.
+			const count = info.maximum + 1;
+			const names = enumNames[ info.name ] ?? ( count === 2 ? [ 'off', 'on' ] : Array.from( { length: count }, ( _, value ) => String( value ) ) );
 			return folder.add( this.values, info.name, Object.fromEntries( names.map( ( name, value ) => [ name, value ] ) ) );
 		}
-		if ( info.kind !== 'number' )
+		if ( info.kind === 'mask' )
 		{
-			return folder.add( this.values, info.name ).min( info.minimum ).max( info.maximum ).step( 1 );
+			// Without a slider: what matters is each bit.
+			return folder.add( this.values, info.name ).min( 0 ).step( 1 );
 		}
 		return folder.add( this.values, info.name, info.minimum, info.maximum, findStep( info ) );
 	}
@@ -116,6 +140,10 @@ export class Inspector
 
 	private update(): void
 	{
+		for ( const info of this.infos )
+		{
+			this.values[ info.name ] = Math.min( this.values[ info.name ]!, info.maximum );
+		}
 		this.refresh();
 		this.changed( this.values );
 	}
@@ -153,7 +181,7 @@ export class Inspector
 
 	private takePreset(): void
 	{
-		const preset = presets.find( ( one ) => one.name === this.preset.value );
+		const preset = this.source.presets.find( ( one ) => one.name === this.preset.value );
 		if ( preset !== undefined )
 		{
 			this.chooseChanges( preset.values );
@@ -168,7 +196,7 @@ export class Inspector
 		}
 		try
 		{
-			this.choose( this.library.parseSettings( await file.text() ) );
+			this.choose( this.source.parse( await file.text() ) );
 			say( `${file.name}: settings loaded.` );
 		}
 		catch ( error )
@@ -180,7 +208,7 @@ export class Inspector
 	private hearKey( event: KeyboardEvent ): void
 	{
 		const typing = event.target instanceof HTMLInputElement && event.target.type !== 'checkbox';
-		if ( typing === false && ( event.ctrlKey || event.metaKey ) && event.key.toLowerCase() === 'z' )
+		if ( typing === false && this.page.hidden === false && ( event.ctrlKey || event.metaKey ) && event.key.toLowerCase() === 'z' )
 		{
 			this.take( event.shiftKey ? this.history.redo() : this.history.undo() );
 			event.preventDefault();
@@ -189,25 +217,30 @@ export class Inspector
 
 	// -------------------------------------------------------------------------------------------------------- shown
 
+	/// No more digits than there is room for, but where one is typing.
+	private shorten( row: Controller, value: number ): void
+	{
+		const input = row.domElement.querySelector<HTMLInputElement>( '.lil-number.lil-has-slider input, .lil-has-slider input' );
+		if ( input !== null && input !== document.activeElement )
+		{
+			input.value = String( Number( value.toPrecision( 4 ) ) );
+		}
+	}
+
 	private refresh(): void
 	{
 		const changes = this.changes;
 		for ( const [ name, row ] of this.controllers )
 		{
 			row.updateDisplay();
+			this.shorten( row, this.values[ name ]! );
 			row.domElement.classList.toggle( 'changed', name in changes );
 		}
 		this.undo.disabled = this.history.canUndo === false;
 		this.redo.disabled = this.history.canRedo === false;
-		const preset = presets.find( ( one ) => sameSettings( { ...this.defaults, ...one.values }, this.values ) );
+		const preset = this.source.presets.find( ( one ) => sameSettings( { ...this.defaults, ...one.values }, this.values ) );
 		this.preset.value = preset?.name ?? '';
-		const count = Object.keys( changes ).length;
-		const mark = find( 'tab-settings' ).querySelector( '.count' );
-		mark?.remove();
-		if ( count > 0 )
-		{
-			find( 'tab-settings' ).append( make( 'span', { class: 'count', title: `${count} changed` }, String( count ) ) );
-		}
+		this.marked();
 		this.show( this.shown );
 	}
 

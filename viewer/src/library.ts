@@ -269,6 +269,8 @@ export interface FootPlacer
 	flags( leg: number ): number;
 	ankle( leg: number ): number[];
 	draw( mask: number ): Shape[];
+	/// Settings of the method's own; Sole's are shared by all of its characters.
+	setOwn( values: SettingValues ): void;
 	/// From now on all frames are recorded, where they can be.
 	beginTrace( capacity?: number ): void;
 	endTrace(): Uint8Array;
@@ -362,6 +364,10 @@ export class Placer implements FootPlacer
 	draw( mask: number ): Shape[]
 	{
 		return this.character.draw( mask );
+	}
+
+	setOwn(): void
+	{
 	}
 
 	beginTrace( capacity?: number ): void

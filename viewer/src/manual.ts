@@ -3,7 +3,7 @@
 import type { FootReport } from './body';
 import type { FootFigures } from './plots';
 import type { StageTime } from './stage-times';
-import type { Viewer } from './viewer';
+import type { Load, Viewer } from './viewer';
 
 export interface ManualViewer
 {
@@ -21,6 +21,8 @@ export interface ManualViewer
 	trace( time: number ): Uint8Array;
 	/// Microseconds a frame of each stage, while they are measured.
 	stageTimes(): StageTime[];
+	/// What frames cost, as a mean over some: without the graphics card's share.
+	load( frames: number ): Load;
 	/// What the set-up check says now.
 	findings(): string[];
 	/// The picture, as an address of a PNG.
@@ -48,9 +50,10 @@ export function offerManual( viewer: Viewer ): void
 		feet: () => viewer.session.hero.report(),
 		figures: () => viewer.session.figures(),
 		root: () => { const { x, y, z } = viewer.session.walker.root; return [ x, y, z ]; },
-		changes: () => viewer.inspector.changes,
+		changes: () => viewer.settings.changes,
 		trace: ( time ) => viewer.record( time ),
 		stageTimes: () => viewer.stageTimes.times.map( ( time ) => ( { ...time } ) ),
+		load: ( frames ) => viewer.measureLoad( frames ),
 		findings: () => viewer.checks.findings.map( ( finding ) => `${finding.severity} ${finding.where}: ${finding.what}` ),
 		picture: () => viewer.picture(),
 		shown: () => ( { character: viewer.session.model.name, ground: viewer.session.shape.name, characters: viewer.session.choices.count,

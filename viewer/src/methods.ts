@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The systems that Sole is compared with, in a module of their own that is loaded when one of them is first asked for.
 // They get the frame that Sole gets.
-import { loadMethods, type MethodName, type Methods } from '../../build/wasm/page/methods.js';
+import { loadMethods, type MethodCharacter, type MethodName, type Methods } from '../../build/wasm/page/methods.js';
 import methodModule from '../../build/wasm/page/sole-methods.wasm?url';
-import type { Character, Rig } from '../../build/wasm/sole.js';
+import type { Rig } from '../../build/wasm/sole.js';
 import type { GroundShape } from './ground';
 import { GroundHandle } from './ground-handle';
-import type { FootPlacer, Frame, Listener, RigHandle } from './library';
+import type { FootPlacer, Frame, Listener, RigHandle, SettingInfo, SettingValues, Shape } from './library';
 
 export type { MethodName };
 
@@ -33,9 +33,18 @@ export class MethodWorld
 		this.ground = new GroundHandle( methods, shape.parts, shape.twoSided );
 	}
 
-	makeCharacter( method: MethodName ): Character
+	makeCharacter( method: MethodName ): MethodCharacter
 	{
 		return methods!.createCharacter( this.rig, method );
+	}
+
+	/// The table of a method's own settings, with what was fitted to the character for defaults.
+	ownInfos( method: MethodName ): readonly SettingInfo[]
+	{
+		const character = this.makeCharacter( method );
+		const infos = character.ownInfos;
+		character.dispose();
+		return infos;
 	}
 
 	dispose(): void
@@ -50,7 +59,7 @@ export class MethodPlacer implements FootPlacer
 {
 	readonly cost = [ 0, 0, 0 ];
 	readonly told = null;
-	private readonly character: Character;
+	private readonly character: MethodCharacter;
 
 	/// @param listener hears what the clip tells of its steps, for it is told in Sole's own module
 	constructor( private readonly world: MethodWorld, method: MethodName, private readonly listener: Listener )
@@ -88,9 +97,14 @@ export class MethodPlacer implements FootPlacer
 		return Array.from( this.character.output.legs[ leg ]!.ankle );
 	}
 
-	draw(): []
+	draw( mask: number ): Shape[]
 	{
-		return [];
+		return this.character.draw( mask );
+	}
+
+	setOwn( values: SettingValues ): void
+	{
+		Object.entries( values ).forEach( ( [ name, value ] ) => this.character.setOwn( name, value ) );
 	}
 
 	beginTrace(): void

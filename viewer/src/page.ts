@@ -50,6 +50,12 @@ export function say( text: string, bad = false ): void
 	}
 }
 
+/// What was said of files that are not shown now.
+export function forgetMessages(): void
+{
+	find( 'messages' ).replaceChildren();
+}
+
 /// What a value thrown by anyone says.
 export function messageOf( error: unknown ): string
 {

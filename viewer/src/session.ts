@@ -7,8 +7,8 @@ import type { CharacterModel } from './character';
 import { ClipFacts } from './clip';
 import type { GroundShape } from './ground';
 import { GroundHandle } from './ground-handle';
-import { groundMaker, RigHandle, SettingsHandle, type Shape } from './library';
-import { MethodWorld } from './methods';
+import { groundMaker, RigHandle, SettingsHandle, type SettingInfo, type SettingValues, type Shape } from './library';
+import { MethodWorld, type MethodName } from './methods';
 import { FEET_LAYERS, ROOT_LAYERS } from './motion';
 import type { Finding } from './checks';
 import type { FootFigures } from './plots';
@@ -118,7 +118,7 @@ export class Session
 		return this.rig.worldLegLength;
 	}
 
-	/// The body that figures and gizmos are of: the last of the first.
+	/// The body that figures are of: the last of the first.
 	get hero(): Body
 	{
 		return this.subjects[ 0 ]!.bodies.at( -1 )!;
@@ -271,9 +271,21 @@ export class Session
 		} );
 	}
 
-	shapes( mask: number ): Shape[]
+	/// What each view has to show, left to right.
+	shapes( mask: number ): Shape[][]
 	{
-		return mask === 0 ? [] : this.hero.draw( mask );
+		return mask === 0 ? [] : this.subjects[ 0 ]!.bodies.map( ( body ) => body.draw( mask ) );
+	}
+
+	/// The table of the settings that a method that is shown has of its own.
+	ownInfos( method: MethodName ): readonly SettingInfo[]
+	{
+		return this.methods!.ownInfos( method );
+	}
+
+	setOwn( method: MethodName, values: SettingValues ): void
+	{
+		this.subjects.forEach( ( { bodies } ) => bodies.filter( ( body ) => body.method === method ).forEach( ( body ) => body.setOwn( values ) ) );
 	}
 
 	/// Microseconds a character: gather, cast, solve.

@@ -33,10 +33,22 @@ export interface Preset
 }
 
 /// Settings of a file by their dotted names.
-function flatten( stages: Record<string, Record<string, number>> ): SettingValues
+export function flatten( stages: Record<string, Record<string, number>> ): SettingValues
 {
 	return Object.fromEntries( Object.entries( stages ).flatMap( ( [ stage, fields ] ) =>
 		Object.entries( fields ).map( ( [ field, value ] ) => [ `${stage}.${field}`, value ] ) ) );
+}
+
+/// Settings by their dotted names as a file has them.
+export function nest( values: SettingValues ): Record<string, Record<string, number>>
+{
+	const stages: Record<string, Record<string, number>> = {};
+	for ( const [ name, value ] of Object.entries( values ) )
+	{
+		const [ stage, field ] = name.split( '.' ) as [ string, string ];
+		( stages[ stage ] ??= {} )[ field ] = value;
+	}
+	return stages;
 }
 
 /// What is not named keeps its default.

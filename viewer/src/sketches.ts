@@ -275,6 +275,22 @@ const byName: Record<string, Sketch> = {
 	'leg.heelLift': ( v ) => ground() + foot( 58, 62, -v, strong ),
 	'ankle.toeUp': ( v ) => bend( v, 1 ),
 	'ankle.toeDown': ( v ) => bend( v, -1 ),
+	'homebrew.raySphereRadius': sphere,
+	'homebrew.ankleHeightOffset': lifted,
+	'homebrew.worldHeightOffset': lifted,
+	'homebrew.rayCastRange': ( v ) => height( v, -1 ),
+	'homebrew.lengthFromHeelToToes': ring,
+	'homebrew.smoothTime': decay,
+	'homebrew.crouchRange': ( v ) => pelvis( v, 1 ),
+	'homebrew.stretchRange': ( v ) => pelvis( v, -1 ),
+	'iksetting.raycastDownDistance': ( v ) => height( v, -1 ),
+	'iksetting.pelvisOffset': lifted,
+	'iksetting.leftFootAngleOffset': turned,
+	'iksetting.rightFootAngleOffset': ( v ) => turned( -v ),
+	'effector.traceDistance': ( v ) => height( v, -1 ),
+	'effector.footAdjustment': lifted,
+	'ozz.footHeight': lifted,
+	'ozz.soften': reach,
 };
 
 const byUnit: Record<string, Sketch> = {
@@ -282,15 +298,20 @@ const byUnit: Record<string, Sketch> = {
 	'rad': slope,
 	'L': ( v ) => height( v ),
 	'L/s': speed,
+	'1/s': ( v ) => ( v > 0 ? decay( Math.LN2 / v ) : shareBar( 1, 1 ) ),
 	'': shareBar,
 };
+
+/// Other methods' units in those of the drawings, on a human's leg.
+const scales: Record<string, readonly [ unit: string, scale: number ]> = { 'm': [ 'L', 1 / 0.9 ], 'cm': [ 'L', 1 / 90 ], 'deg': [ 'rad', Math.PI / 180 ] };
 
 /// The inside of an svg element of 128 by 104.
 export function sketchSetting( name: string, unit: string, value: number, most: number ): string
 {
 	const halfLife = /HalfLife$/.test( name ) || name === 'target.secondTime' || name === 'pelvis.release';
-	const draw = byName[ name ] ?? ( halfLife ? decay : byUnit[ unit ] ?? shareBar );
-	return draw( value, most );
+	const [ of, scale ] = scales[ unit ] ?? [ unit, 1 ];
+	const draw = byName[ name ] ?? ( halfLife ? decay : byUnit[ of ] ?? shareBar );
+	return draw( value * scale, most * scale );
 }
 
 export const SKETCH_BOX = `0 0 ${WIDTH} ${HEIGHT}`;

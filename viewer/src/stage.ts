@@ -99,7 +99,7 @@ export class Stage
 	}
 
 	/// The size of one view in the page's pixels.
-	private get viewSize(): THREE.Vector2
+	get viewSize(): THREE.Vector2
 	{
 		return new THREE.Vector2( this.canvas.clientWidth / this.views.length, this.canvas.clientHeight );
 	}

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The page as a whole: holds what is loaded, makes the session anew when that changes, runs time, and hands the outcome
 // to everything that shows it.
-import * as THREE from 'three';
 import { readAddress, writeAddress, type Address } from './address';
 import { CharacterModel } from './character';
 import { Checks } from './checks';
 import { fetchSample, openFile, parseGlb, type Opened, type Sample } from './files';
-import { Gizmos } from './gizmos';
 import { GroundShape } from './ground';
-import { Dragger, Keys } from './input';
-import { Inspector } from './inspector';
-import { Labels, type Label } from './labels';
-import { openMethods } from './methods';
+import { Hand } from './hand';
+import { Keys } from './input';
+import { openMethods, type MethodName } from './methods';
 import { FEET_LAYERS } from './motion';
-import type { Library, Shape } from './library';
-import { addTab, find, make, messageOf, say, setTheme } from './page';
+import type { Library } from './library';
+import { Overlay } from './overlay';
+import { addTab, find, forgetMessages, make, messageOf, say, setTheme } from './page';
 import { methodLabels, Pickers, readMethods } from './pickers';
 import { Plots } from './plots';
 import { ScenePage, defaultSceneChoices, type SceneChoices } from './scene-page';
 import { needsMethods, Session } from './session';
 import { applySwitches } from './settings';
+import { hasOwnSettings, SettingsPage } from './settings-page';
 import { ShowPage } from './show-page';
 import { LAYER_FIRST, LAYER_SECOND, Stage } from './stage';
 import { StageTimes } from './stage-times';
@@ -30,11 +29,20 @@ const MOST_STEPS = 4; // of a picture: a page that is too slow falls behind inst
 const TURN_STEP = 5; // degrees
 const LIFT = 1.5; // m/s, of who is lifted by the keys
 
+/// Milliseconds a frame of script, and of the library a character in that; draw calls and triangles of a picture.
+export interface Load
+{
+	script: number;
+	solver: number;
+	calls: number;
+	triangles: number;
+}
+
 export class Viewer
 {
 	readonly address: Address = readAddress( location.search );
 	readonly stage: Stage;
-	readonly inspector: Inspector;
+	readonly settings: SettingsPage;
 	readonly choices: SceneChoices = defaultSceneChoices();
 	session!: Session;
 	private readonly transport: Transport;
@@ -44,14 +52,13 @@ export class Viewer
 	readonly checks: Checks;
 	private readonly plots = new Plots();
 	readonly stageTimes = new StageTimes();
-	private readonly labels: Labels;
-	private readonly gizmos = new Gizmos();
+	private readonly overlay: Overlay;
 	private readonly keys: Keys;
+	private readonly hand = new Hand( this );
 	private model!: CharacterModel;
-	private shape!: GroundShape;
+	shape!: GroundShape;
 	private behind = 0; // s that have not been stepped yet
 	private recording = false;
-	private texts: Shape[] = [];
 	private costs = [ 0, 0, 0 ];
 	private framesPerSecond = 60;
 
@@ -62,8 +69,6 @@ export class Viewer
 			setTheme( this.address.theme );
 		}
 		this.stage = new Stage( find<HTMLCanvasElement>( 'canvas' ), this.address.manual );
-		this.stage.scene.add( this.gizmos.group );
-		this.labels = new Labels( this.stage );
 		this.transport = new Transport( () => this.advance( 1 ), () => this.restart(), this.stageTimes.button );
 		this.pickers = new Pickers( samples, {
 			character: ( name ) => void this.attempt( () => this.pickCharacter( name ) ),
@@ -83,9 +88,10 @@ export class Viewer
 		const checks = addTab( 'checks', 'Checks', () => this.refresh() );
 		this.scenePage = new ScenePage( scene.page, this.choices, {
 			populate: () => this.begin(), stages: () => this.takeSettings(), turned: () => this.turn( 0 ), body: () => this.session.setOpacity( this.choices.body ) } );
-		this.inspector = new Inspector( settings.page, library, () => this.takeSettings() );
+		this.settings = new SettingsPage( settings.page, library, () => this.takeSettings(), ( method ) => this.takeOwn( method ) );
 		this.showPage = new ShowPage( show.page, library.drawInfos, this.address.show, () => this.refresh() );
 		this.checks = new Checks( checks.page, () => this.refresh() );
+		this.overlay = new Overlay( this.stage, this.checks );
 		const tabs: Record<string, typeof scene> = { scene, settings, show, checks };
 		( tabs[ this.address.panel ?? 'scene' ] ?? scene ).select();
 		this.keys = new Keys( this.makeCommands() );
@@ -110,7 +116,7 @@ export class Viewer
 		await this.pickMethods();
 		if ( this.address.set.length > 0 )
 		{
-			this.inspector.chooseChanges( Object.fromEntries( this.address.set ) );
+			this.settings.chooseChanges( Object.fromEntries( this.address.set ) );
 		}
 		this.transport.setPlaying( this.address.manual === false && this.address.time === null );
 		if ( this.address.time !== null )
@@ -220,6 +226,7 @@ export class Viewer
 		{
 			this.takeGround( new GroundShape( opened.name, opened.object ) );
 		}
+		forgetMessages();
 		say( `${opened.name}: opened as ${opened.kind}.` );
 	}
 
@@ -229,7 +236,7 @@ export class Viewer
 		{
 			await this.attempt( async () =>
 			{
-				/\.json$/i.test( file.name ) ? await this.inspector.load( file ) : this.take( await openFile( file ) );
+				/\.json$/i.test( file.name ) ? await this.settings.load( file ) : this.take( await openFile( file ) );
 			} );
 		}
 	}
@@ -264,11 +271,12 @@ export class Viewer
 		this.session = session;
 		this.stage.scene.add( session.group, this.shape.group );
 		this.stage.views = methods.length > 1 && this.choices.count === 1 ? [ LAYER_FIRST, LAYER_SECOND ] : [ LAYER_FIRST ];
-		this.gizmos.setLayer( session.heroView === 0 ? LAYER_FIRST : LAYER_SECOND );
 		const shown = this.choices.count > 1 ? methods.slice( -1 ) : methods;
 		find( 'captions' ).replaceChildren( ...shown.map( ( method ) =>
 			make( 'span', {}, method === 'none' ? methodLabels.none : `placed by ${methodLabels[ method ]}` ) ) );
 		this.checks.show( session.findings );
+		this.settings.show( methods, ( method ) => session.ownInfos( method ) );
+		methods.filter( hasOwnSettings ).forEach( ( method ) => session.setOwn( method, this.settings.valuesOf( method ) ) );
 		this.takeSettings();
 		session.setOpacity( this.choices.body );
 		this.restart();
@@ -281,9 +289,15 @@ export class Viewer
 
 	private takeSettings(): void
 	{
-		const values = applySwitches( this.inspector.values, this.choices.stages );
+		const values = applySwitches( this.settings.sole.values, this.choices.stages );
 		// What carries roots alone, or nobody, is no ground for feet.
 		this.session.settings.set( { ...values, 'probe.mask': ( values[ 'probe.mask' ]! & FEET_LAYERS ) >>> 0 } );
+		this.refresh();
+	}
+
+	private takeOwn( method: MethodName ): void
+	{
+		this.session.setOwn( method, this.settings.valuesOf( method ) );
 		this.refresh();
 	}
 
@@ -363,35 +377,43 @@ export class Viewer
 	{
 		if ( this.session !== undefined )
 		{
-			this.texts = this.gizmos.draw( this.session.shapes( this.showPage.mask ) );
+			this.overlay.refresh( this.session, this.showPage.mask );
 		}
-	}
-
-	private findLabels(): Label[]
-	{
-		const view = this.stage.views.length - 1;
-		const labels: Label[] = this.texts.map( ( shape ) =>
-			( { place: new THREE.Vector3().fromArray( shape.a ), text: shape.text, kind: '', view } ) );
-		const open = find( 'page-checks' ).hidden === false;
-		const problems = open ? this.checks.problems : [];
-		for ( const finding of new Set( this.checks.chosen !== null ? [ ...problems, this.checks.chosen ] : problems ) )
-		{
-			const joint = finding.joint >= 0 ? finding.joint : this.session.rig.pelvis;
-			labels.push( { place: this.session.hero.jointPlace( joint ), text: `${finding.where}: ${finding.what}`, kind: 'problem', view } );
-		}
-		return labels;
 	}
 
 	draw(): void
 	{
 		this.stage.render();
-		this.labels.show( this.findLabels() );
+		this.drawPage();
+	}
+
+	/// All of a picture but the scene.
+	private drawPage(): void
+	{
+		this.overlay.draw( this.session );
 		this.plots.draw();
 		const [ gather, cast, solve ] = this.costs.map( ( cost ) => cost.toFixed( 1 ) );
 		const solver = this.costs.reduce( ( sum, cost ) => sum + cost, 0 ).toFixed( 1 );
 		const words = this.address.manual ? '' : `${this.framesPerSecond.toFixed( 0 )} fps · ${solver} µs a character: ` +
 			`gather ${gather}, cast ${cast}, solve ${solve}`;
 		this.transport.show( this.session.time, words );
+	}
+
+	/// What a frame costs before the graphics card has its turn, as a mean over some, and what that is then given.
+	measureLoad( frames: number ): Load
+	{
+		const costs = [ 0, 0, 0 ];
+		const begin = performance.now();
+		for ( let i = 0; i < frames; ++i )
+		{
+			this.advance( 1 );
+			this.drawPage();
+			this.session.cost().forEach( ( cost, index ) => { costs[ index ]! += cost / frames; } );
+		}
+		const script = ( performance.now() - begin ) / frames;
+		this.stage.render();
+		const { calls, triangles } = this.stage.renderer.info.render;
+		return { script, solver: costs.reduce( ( sum, cost ) => sum + cost, 0 ) / 1e3, calls, triangles };
 	}
 
 	/// What `sole replay` reads of all frames from the start to a time.
@@ -421,30 +443,18 @@ export class Viewer
 		return {
 			Space: () => this.transport.toggle(), Period: () => this.transport.stepOnce(), KeyR: () => this.restart(),
 			KeyQ: () => this.turn( TURN_STEP ), KeyE: () => this.turn( -TURN_STEP ),
-			PageUp: () => this.lift( LIFT * TIME_STEP ), PageDown: () => this.lift( -LIFT * TIME_STEP ),
+			PageUp: () => this.hand.lift( LIFT * TIME_STEP ), PageDown: () => this.hand.lift( -LIFT * TIME_STEP ),
 		};
 	}
 
 	private turn( degrees: number ): void
 	{
-		this.choices.heading += degrees;
+		this.hand.turn( degrees );
 		this.scenePage.refresh();
-		if ( this.choices.mode === 'stand' )
-		{
-			this.session.walker.root.heading = this.choices.heading * Math.PI / 180;
-		}
-	}
-
-	/// Without automatic height.
-	private lift( by: number ): void
-	{
-		this.session.walker.root.y += this.choices.height === 'none' ? by : 0;
 	}
 
 	private listen(): void
 	{
-		const canvas = find<HTMLCanvasElement>( 'canvas' );
-		new Dragger( canvas, ( event ) => this.grab( event ), ( event ) => this.drag( event ), () => undefined );
 		addEventListener( 'dragover', ( event ) => { event.preventDefault(); find( 'drop' ).hidden = false; } );
 		addEventListener( 'dragleave', ( event ) => { find( 'drop' ).hidden = event.relatedTarget === null; } );
 		addEventListener( 'drop', ( event ) =>
@@ -455,30 +465,9 @@ export class Viewer
 		} );
 	}
 
-	/// Is the character under the pointer, and does it stand to be dragged?
-	private grab( event: PointerEvent ): boolean
-	{
-		if ( this.choices.mode !== 'stand' )
-		{
-			return false;
-		}
-		const caster = this.stage.pick( event.clientX, event.clientY );
-		const focus = this.session.focus();
-		return caster.ray.distanceToPoint( focus ) < 0.9 * this.session.legLength;
-	}
-
-	private drag( event: PointerEvent ): void
-	{
-		const place = this.shape.pick( this.stage.pick( event.clientX, event.clientY ) );
-		if ( place !== null )
-		{
-			this.session.walker.drag( place.x, place.z );
-		}
-	}
-
 	private async copyLink(): Promise<void>
 	{
-		const changes = Object.entries( this.inspector.changes ).map( ( [ name, value ] ) => `${name}:${value}` );
+		const changes = Object.entries( this.settings.changes ).map( ( [ name, value ] ) => `${name}:${value}` );
 		const link = writeAddress( { scene: this.shape.name, clip: this.pickers.value( 'clip' ), method: this.pickers.methods.join( ',' ),
 			mode: this.choices.mode === 'path' ? '' : this.choices.mode, show: this.showPage.names.join( ',' ), set: changes.join( ',' ) } );
 		try

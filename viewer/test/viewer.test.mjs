@@ -282,7 +282,7 @@ test( 'every setting says what it is', async () =>
 		const said = await page.evaluate( () => [ ...document.querySelectorAll( '#page-settings .lil-controller' ) ].map( ( element ) =>
 		{
 			element.dispatchEvent( new FocusEvent( 'focusin' ) );
-			const card = document.getElementById( 'card' );
+			const card = document.querySelector( '.card' );
 			return { text: card.querySelector( 'p' ).textContent, drawn: card.querySelector( 'svg' ).children.length, facts: card.querySelectorAll( 'dd' ).length };
 		} ) );
 		const table = execFileSync( sole, [ 'settings' ], { encoding: 'utf8' } );
@@ -366,6 +366,18 @@ test( 'two hundred walk at once', async () =>
 } );
 
 // ------------------------------------------------------------------------------------------------------------ files
+
+test( 'what was wrong with a file is forgotten with the next one that opens', async () =>
+{
+	await onPage( 'scene=T01&method=sole', async ( page ) =>
+	{
+		await drop( page, 'words.glb', Buffer.from( 'this is no model' ) );
+		await message( page, 'words.glb: is no GLB file' );
+		await drop( page, 'mine.glb', readFileSync( join( folder, 'samples/mannequin.glb' ) ) );
+		await message( page, 'mine.glb: opened as character' );
+		assert.equal( await page.locator( '#messages p' ).count(), 1 );
+	} );
+} );
 
 test( 'broken files are refused in a sentence, and the page lives on', async () =>
 {

@@ -55,6 +55,46 @@ test("who stands on a step is brought up to it by ozz, and begins anew after a j
 	character.dispose();
 });
 
+test("every method has settings of its own, fitted to the character, which count", () => {
+	for (const name of methodNames) {
+		const walked = (change) => {
+			const character = methods.createCharacter(rig, name);
+			change?.(character);
+			for (let i = 0; i < 150; ++i) {
+				walkOn(character, ground, Math.min(i, 100));
+			}
+			const result = hash(character.placed);
+			const infos = character.ownInfos;
+			character.dispose();
+			return { result, infos };
+		};
+		const before = walked();
+		assert.ok(before.infos.length >= 10 && before.infos.every(({ text, name: own }) => text.endsWith(".") && own.startsWith(`${name}.`)));
+		assert.ok(before.infos.every((info) => info.minimum <= info.default && info.default <= info.maximum));
+		const off = { homebrew: "globalWeight", iksetting: "enableFeetIk", effector: "enableAnimationIk", ozz: "weight" }[name];
+		const after = walked((character) => character.setOwn(`${name}.${off}`, 0));
+		assert.notEqual(after.result, before.result, name);
+		assert.equal(after.infos.find((info) => info.name === `${name}.${off}`).default, 0);
+		assert.throws(() => walked((character) => character.setOwn("magic", 0)), /magic: is no setting/);
+		assert.throws(() => walked((character) => character.setOwn(`${name}.${off}`, NaN)), /is not a number/);
+	}
+});
+
+test("every method draws its frames, and only what is switched on", () => {
+	for (const name of methodNames) {
+		const character = methods.createCharacter(rig, name);
+		for (let i = 0; i < 60; ++i) {
+			walkOn(character, ground, Math.min(i, 30));
+		}
+		const all = character.draw();
+		assert.ok(all.length > 15 && all.every((mark) => [...mark.a, ...mark.b, mark.radius].every(Number.isFinite)), name);
+		assert.ok(new Set(all.map(({ kind }) => kind)).size === 5, name);
+		const flags = character.draw(1 << 12);
+		assert.deepEqual(flags.map(({ kind }) => kind), ["text", "text"]);
+		character.dispose();
+	}
+});
+
 test("a method that is none is refused with a sentence", () => {
 	assert.throws(() => methods.createCharacter(rig, "magic"), /there is no 'magic'.*homebrew/);
 });
