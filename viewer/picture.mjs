@@ -3,7 +3,7 @@
 // usage: node viewer/picture.mjs FILE
 import { openBrowser, openPage } from './page.mjs';
 
-const query = 'scene=T02&clip=walk&method=both&time=2.1&panel=settings' +
+const query = 'scene=T02&clip=walk&method=both&time=2.65&panel=settings' +
 	'&show=placed legs,support plane,locks,footholds,targets';
 const host = await openBrowser();
 const { page } = await openPage( host, query, { deviceScaleFactor: 1 } );

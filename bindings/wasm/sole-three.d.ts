@@ -13,6 +13,27 @@ export interface GroundOptions {
 /** The triangles of all meshes below an object, where they are now. */
 export function groundFromObject(sole: Sole, object: Object3D, options?: GroundOptions): Ground;
 
+/** What the skins below an object are bound to. */
+export interface SkeletonOfObject {
+	/** Whose space is character space; null: the world's. */
+	space: Object3D | null;
+	/** Parents first. */
+	joints: Object3D[];
+	/** As in the file, where the loader has kept that. */
+	names: string[];
+	parents: number[];
+	/** Ten floats a joint, as in Skeleton. */
+	bindPose: Float32Array;
+	/** Four joints and weights a vertex. */
+	skin: { positions: number[]; joints: number[]; weights: number[] };
+}
+
+/** @param space above all bones. default: what is right above them */
+export function readSkeleton(object: Object3D, space?: Object3D): SkeletonOfObject;
+
+/** The joints alone, in the same order. */
+export function findSkeletonJoints(object: Object3D, space: Object3D): Object3D[];
+
 export interface SkinOptions {
 	/** Left out: nothing is met until it is set. */
 	ground?: AnyGround;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sole for three.js. Joints are the bones of a skeleton and whatever lies between them; character space is that of the
-// object above them. The animated pose is read from the joints' own transforms, which is where a mixer leaves it, and
-// the placed pose is written there for the renderer.
+// Sole for three.js. Joints are the bones of a skeleton, whatever lies between them, and their ends; character space is
+// that of the object above them. The animated pose is read from the joints' own transforms, which is where a mixer
+// leaves it, and the placed pose is written there for the renderer.
 import { InstancedMesh, Matrix4, Quaternion, Vector3 } from "three";
 
 const TRANSFORM = 10;
@@ -85,13 +85,23 @@ function findSpace(bones) {
 	return depth > 0 ? paths[0][depth - 1] : null;
 }
 
-/// Bones and what lies between them and their space, parents first.
+/// Bones, what lies between them and their space, and what hangs below them without being drawn, such as the ends of
+/// chains, which no vertex follows: parents first.
 function findJoints(bones, space) {
 	const joints = new Set();
 	for (const bone of bones) {
 		const path = pathTo(bone);
 		path.slice(path.indexOf(space) + 1).forEach((joint) => joints.add(joint));
 	}
+	const addBelow = (joint) => {
+		for (const child of joint.children) {
+			if (bones.has(child) || child.type === "Object3D" || child.isBone) {
+				joints.add(child);
+				addBelow(child);
+			}
+		}
+	};
+	bones.forEach(addBelow);
 	return [...joints];
 }
 
@@ -155,6 +165,26 @@ function findSkin(skins, joints, parents, pose) {
 	return skin;
 }
 
+function findBones(skins) {
+	return new Set(skins.flatMap(({ skeleton }) => skeleton.bones));
+}
+
+export function findSkeletonJoints(object, space) {
+	return findJoints(findBones(findSkins(object)), space);
+}
+
+export function readSkeleton(object, space) {
+	const skins = findSkins(object);
+	const bones = findBones(skins);
+	object.updateWorldMatrix(true, true);
+	space ??= findSpace(bones);
+	const joints = findJoints(bones, space);
+	const parents = joints.map((joint) => joints.indexOf(joint.parent));
+	const bindPose = findBindPose(joints, parents, skins);
+	const names = joints.map((joint) => joint.userData.name ?? joint.name); // the loader of glTF changes names
+	return { space, joints, names, parents, bindPose, skin: findSkin(skins, joints, parents, bindPose) };
+}
+
 // ----------------------------------------------------------------------------------------------------- characters
 
 export class SoleSkin {
@@ -163,24 +193,17 @@ export class SoleSkin {
 	#up;
 
 	constructor(sole, object, { ground = null, settings, definition, up = new Vector3(0, 1, 0), clipFloor = 0 } = {}) {
-		const skins = findSkins(object);
-		const bones = new Set(skins.flatMap((skin) => skin.skeleton.bones));
-		object.updateWorldMatrix(true, true);
-		this.#space = findSpace(bones);
+		const { space, joints, skin, ...skeleton } = readSkeleton(object);
+		// Who defines the legs calls joints as they are called here, which may not be as in the file.
+		skeleton.names = definition ? joints.map((joint) => joint.name) : skeleton.names;
+		this.#space = space;
 		this.#up = up;
-		this.joints = findJoints(bones, this.#space);
-		const parents = this.joints.map((joint) => this.joints.indexOf(joint.parent));
-		const bindPose = findBindPose(this.joints, parents, skins);
-		const skeleton = { names: this.joints.map((joint) => joint.name), parents, bindPose };
-		this.detection = definition ? null : sole.detectRig({
-			...skeleton,
-			up: this.#upInSpace(),
-			skin: findSkin(skins, this.joints, parents, bindPose),
-		});
+		this.joints = joints;
+		this.detection = definition ? null : sole.detectRig({ ...skeleton, up: this.#upInSpace(), skin });
 		this.rig = this.detection?.rig ?? sole.createRig({ ...definition, ...skeleton });
 		this.character = sole.createCharacter(this.rig, settings ? { settings } : {});
 		this.character.frame.clipFloor = clipFloor;
-		this.#animated = bindPose.slice();
+		this.#animated = skeleton.bindPose.slice();
 		this.ground = ground;
 		this.weight = 1;
 		this.character.placed.fill(NaN); // nothing was written yet

@@ -6,6 +6,7 @@
 import * as THREE from 'three';
 import { clone } from 'three/addons/utils/SkeletonUtils.js';
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js';
+import { findSkeletonJoints, readSkeleton } from '../../build/wasm/sole-three.js';
 
 export const POSE_FLOATS = 10;
 
@@ -35,91 +36,11 @@ function skinsOf( object: THREE.Object3D ): THREE.SkinnedMesh[]
 	return skins;
 }
 
-/// Bones and all above them, parents first.
-function jointsOf( object: THREE.Object3D ): THREE.Object3D[]
-{
-	const wanted = new Set<THREE.Object3D>();
-	for ( const skin of skinsOf( object ) )
-	{
-		for ( const bone of skin.skeleton.bones )
-		{
-			for ( let node: THREE.Object3D | null = bone; node !== null && node !== object; node = node.parent )
-			{
-				wanted.add( node );
-			}
-		}
-	}
-	const joints: THREE.Object3D[] = [];
-	object.traverse( ( node ) =>
-	{
-		if ( wanted.has( node ) )
-		{
-			joints.push( node );
-		}
-	} );
-	return joints;
-}
-
 function writePose( node: THREE.Object3D, pose: Float32Array, joint: number ): void
 {
 	node.position.toArray( pose, POSE_FLOATS * joint );
 	node.quaternion.toArray( pose, POSE_FLOATS * joint + 3 );
 	node.scale.toArray( pose, POSE_FLOATS * joint + 7 );
-}
-
-/// What the inverse bind matrices say where there are some, else the rest pose.
-function findBindPose( object: THREE.Object3D, joints: readonly THREE.Object3D[], parents: Int32Array ): Float32Array
-{
-	object.updateMatrixWorld( true );
-	const worlds = joints.map( ( joint ) => joint.matrixWorld.clone() );
-	for ( const skin of skinsOf( object ) )
-	{
-		skin.skeleton.bones.forEach( ( bone, index ) =>
-		{
-			const inverse = skin.skeleton.boneInverses[ index ];
-			if ( inverse !== undefined && inverse.determinant() !== 0 )
-			{
-				worlds[ joints.indexOf( bone ) ] = inverse.clone().invert().premultiply( skin.bindMatrix );
-			}
-		} );
-	}
-	const pose = new Float32Array( POSE_FLOATS * joints.length );
-	const node = new THREE.Object3D();
-	joints.forEach( ( _, joint ) =>
-	{
-		const parent = parents[ joint ]!;
-		const local = parent < 0 ? worlds[ joint ]!.clone() : worlds[ parent ]!.clone().invert().multiply( worlds[ joint ]! );
-		local.decompose( node.position, node.quaternion, node.scale );
-		writePose( node, pose, joint );
-	} );
-	return pose;
-}
-
-function findSkinPoints( object: THREE.Object3D, joints: readonly THREE.Object3D[] ): SkinPoints
-{
-	const positions: number[] = [];
-	const indices: number[] = [];
-	const weights: number[] = [];
-	const p = new THREE.Vector3();
-	for ( const skin of skinsOf( object ) )
-	{
-		const toJoint = skin.skeleton.bones.map( ( bone ) => joints.indexOf( bone ) );
-		const place = skin.geometry.getAttribute( 'position' );
-		const index = skin.geometry.getAttribute( 'skinIndex' );
-		const weight = skin.geometry.getAttribute( 'skinWeight' );
-		for ( let i = 0; i < place.count; ++i )
-		{
-			p.fromBufferAttribute( place, i ).applyMatrix4( skin.bindMatrix );
-			positions.push( p.x, p.y, p.z );
-			for ( let k = 0; k < 4; ++k )
-			{
-				const share = weight.getComponent( i, k );
-				indices.push( share > 0 ? toJoint[ index.getComponent( i, k ) ] ?? -1 : -1 );
-				weights.push( share );
-			}
-		}
-	}
-	return { positions: new Float32Array( positions ), joints: new Int32Array( indices ), weights: new Float32Array( weights ) };
 }
 
 /// One of possibly many that look alike.
@@ -137,7 +58,7 @@ export class CharacterInstance
 	constructor( template: THREE.Object3D )
 	{
 		const object = clone( template );
-		this.joints = jointsOf( object );
+		this.joints = findSkeletonJoints( object, object );
 		this.root.add( object );
 		this.root.matrixAutoUpdate = false;
 		this.mixer = new THREE.AnimationMixer( object );
@@ -210,15 +131,15 @@ export class CharacterModel
 	{
 		this.template = gltf.scene;
 		this.clips = gltf.animations;
-		const joints = jointsOf( this.template );
-		if ( joints.length === 0 )
+		if ( skinsOf( this.template ).length === 0 )
 		{
 			throw new Error( `${name}: has no skin: a character needs bones that move its mesh.` );
 		}
-		this.names = joints.map( ( joint ) => ( joint.userData[ 'name' ] as string | undefined ) ?? joint.name );
-		this.parents = Int32Array.from( joints, ( joint ) => joints.indexOf( joint.parent! ) );
-		this.bindPose = findBindPose( this.template, joints, this.parents );
-		this.skin = findSkinPoints( this.template, joints );
+		const { names, parents, bindPose, skin } = readSkeleton( this.template, this.template );
+		this.names = names;
+		this.parents = Int32Array.from( parents );
+		this.bindPose = bindPose;
+		this.skin = { positions: new Float32Array( skin.positions ), joints: new Int32Array( skin.joints ), weights: new Float32Array( skin.weights ) };
 	}
 
 	get jointCount(): number

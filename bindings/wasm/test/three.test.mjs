@@ -10,7 +10,7 @@ import {
 	Uint16BufferAttribute, Vector3,
 } from "three";
 import { LegFlags } from "sole";
-import { SoleSkin, groundFromObject } from "sole/three";
+import { SoleSkin, findSkeletonJoints, groundFromObject, readSkeleton } from "sole/three";
 import { walk } from "../../../samples/three/walk.mjs";
 import { bipedDefinition, bipedSkeleton, loadModule, nativeFile, root } from "./support.mjs";
 
@@ -109,6 +109,31 @@ test("legs are found below an armature that is turned and scaled", () => {
 	assert.ok(Math.abs(ankle.y - 0.1) < 0.01, `${ankle.y}`);
 	assert.ok(Math.abs(ankle.y - feet.character.output.legs[0].ankle[1]) < 1e-4);
 	feet.dispose();
+});
+
+test("ends of chains are joints, and a skeleton may be seen from further up, whatever its bind matrices are measured in", () => {
+	const { character, bones } = makeBiped();
+	const ends = [5, 9].map((foot) => {
+		const end = new Object3D();
+		end.position.set(0, 0, 4);
+		bones[foot].add(end);
+		return end;
+	});
+	const sword = new Object3D().add(box(1, 1, 1, 0));
+	const drawn = box(1, 1, 1, 0);
+	bones[3].add(sword, drawn);
+	const read = readSkeleton(character, character);
+	assert.ok(ends.every((end) => read.joints.includes(end)));
+	assert.ok(read.joints.includes(sword) && !read.joints.includes(drawn) && !read.joints.includes(sword.children[0]));
+	read.parents.forEach((parent, i) => assert.ok(parent < i));
+	assert.equal(read.space, character);
+	assert.deepEqual(findSkeletonJoints(character, character), read.joints);
+	// In metres, though the armature and what is bound below it are in centimetres.
+	const heights = read.skin.positions.filter((_, i) => i % 3 === 1);
+	assert.ok(heights.every((y) => Math.abs(y) < 0.03), `${Math.min(...heights)} to ${Math.max(...heights)}`);
+	const { legLength, rig } = sole.detectRig(read);
+	assert.equal(rig.definition.legs.length, 2);
+	assert.ok(Math.abs(legLength - 0.9) < 0.1, legLength);
 });
 
 test("what a mixer leaves alone stays as it was animated", () => {
