@@ -10,7 +10,7 @@
 #include "place/sense_kernel.h"
 #include "place/target_kernel.h"
 
-static soleLegLanesFcn* const FN( soleLegLanesOf ) = FN( soleSolveLegLanes );
-static soleFootLanesFcn* const FN( soleFootLanesOf ) = FN( soleFinishFootLanes );
-static soleSenseLanesFcn* const FN( soleSenseLanesOf ) = FN( soleSenseInLanes );
-static soleTargetLanesFcn* const FN( soleTargetLanesOf ) = FN( soleSetTargetLanes );
+static soleLegLanesFcn* const SOLE_JOIN( soleLegLanesOf, SOLE_WIDTH ) = FN( soleSolveLegLanes );
+static soleFootLanesFcn* const SOLE_JOIN( soleFootLanesOf, SOLE_WIDTH ) = FN( soleFinishFootLanes );
+static soleSenseLanesFcn* const SOLE_JOIN( soleSenseLanesOf, SOLE_WIDTH ) = FN( soleSenseInLanes );
+static soleTargetLanesFcn* const SOLE_JOIN( soleTargetLanesOf, SOLE_WIDTH ) = FN( soleSetTargetLanes );
