@@ -43,11 +43,6 @@ static inline const char* testData( const char* name )
 		}                                                                                                              \
 	} while ( 0 )
 
-/// 1: with the tests of what is known to be wrong.
-#ifndef TEST_OPEN
-#define TEST_OPEN 0
-#endif
-
 /// For tests of misuse: an assert says nothing and the call goes on.
 static inline bool testQuietHandler( const char* condition, const char* file, int line )
 {

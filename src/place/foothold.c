@@ -128,12 +128,18 @@ static void soleStandStepOn( const solePlaceWork* work, soleLegWork* leg, soleVe
 	leg->surfaceVelocity = rest.velocity;
 }
 
+/// Something was met that says where the foothold may be: not just narrow things on the way.
+static bool soleHasNews( const solePlaceWork* work, const soleLegWork* leg )
+{
+	return leg->sampleCount > soleGetLookCount( work->settings );
+}
+
 /// Chooses the foothold, or keeps it where nothing new is known. @return false: there is no ground
 static bool soleChooseStep( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	bool planned = ( state->flags & sole_statePlanned ) != 0;
-	if ( planned && leg->sampleCount == 0 )
+	if ( planned && soleHasNews( work, leg ) == false )
 	{
 		// A body that is not listed goes on as it went.
 		leg->surface = state->body.surface;
@@ -191,6 +197,23 @@ static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 	state->planePoint_w = soleAdd( from, work->root_w );
 	state->flags |= (uint32_t)sole_statePlanned;
 	state->flags &= ~(uint32_t)sole_stateChosen;
+	state->stepOver[0] = state->stepOver[1] = state->stepOver[2] = 0.0f;
+}
+
+/// Over what was met, and over what narrow things were met before.
+static void soleLiftStep( const solePlaceWork* work, soleLegWork* leg, const soleWay* way, bool news )
+{
+	soleLegState* state = leg->state;
+	float lift[3];
+	news ? soleFindLift( work, leg, way, lift ) : soleFindNarrowLift( work, leg, way, lift );
+	// A step of its own the animation does not lift.
+	float least = state->restep > 0.0f ? RESTEP_LIFT * leg->length : 0.0f;
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		state->stepOver[i] = news ? state->stepOver[i] : soleMaxF( state->stepOver[i], lift[i] );
+		state->stepLift[i] = news ? soleMaxF( lift[i], least ) : state->stepLift[i];
+		state->stepLift[i] = soleMaxF( state->stepLift[i], state->stepOver[i] );
+	}
 }
 
 /// Sets out, or goes on, to the next foothold.
@@ -212,11 +235,12 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	{
 		soleSetOut( work, leg );
 	}
-	if ( settled || leg->sampleCount == 0 )
+	bool news = soleHasNews( work, leg );
+	if ( settled || news == false )
 	{
 		soleFollowLanding( work, leg );
 	}
-	if ( settled && leg->sampleCount > 0 )
+	if ( settled && news )
 	{
 		soleReadStep( work, leg );
 	}
@@ -228,12 +252,7 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	leg->toeSlope = state->toeSlope;
 	if ( settled == false && leg->sampleCount > 0 )
 	{
-		soleFindLift( work, leg, &way, state->stepLift );
-		// A step of its own the animation does not lift.
-		for ( int32_t i = 0; i < 3 && state->restep > 0.0f; ++i )
-		{
-			state->stepLift[i] = soleMaxF( state->stepLift[i], RESTEP_LIFT * leg->length );
-		}
+		soleLiftStep( work, leg, &way, news );
 	}
 	leg->raw = soleFollowWay( work, leg, &way, leg->soleCenter );
 	leg->out->flags |= (uint32_t)sole_legPlanned;

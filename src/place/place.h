@@ -113,6 +113,7 @@ typedef struct soleLegWork
 	soleVec3 tip;         // of the toes of a foot in flight
 	bool foreseen;        // in flight, and where and when it will come down is known
 	bool choosing;        // the foothold is to be chosen, or once more
+	bool looking;         // for narrow things on its way, and nothing else
 	bool reading;         // it is settled, and its ground is to be read closely
 	bool asleep;          // it has stood still for long: one probe will do
 	soleVec3 landing;     // ball of the flat sole then, as the animation has it
@@ -459,6 +460,8 @@ void soleLearnSteps( solePlaceWork* work );
 /// Feet that stand but have been left behind step over.
 void soleTakeResteps( solePlaceWork* work );
 /// Where the next step lands, and the plane that the foot follows on its way.
+/// How many probes look for narrow things on the way of a foot.
+int32_t soleGetLookCount( const soleSettings* settings );
 void soleChooseFootholds( solePlaceWork* work );
 /// Held where.
 void soleUpdateLocks( solePlaceWork* work );

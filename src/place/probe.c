@@ -5,14 +5,16 @@
 // a raised heel asks for the ground it will come to rest on. A held foot asks where it is held. A foot in flight whose
 // next foothold is foreseen asks there: a strip along its heading, as long as the step may be shifted and shorter the
 // nearer the foot has come, both sides of the ball, and some places on the way there. One in flight that is not
-// foreseen asks under itself and a little ahead of its toes. (The strip is asked for a few times on the way only.) One
-// that has just been planted reads its ground closely. Each probe is a vertical segment around the reference height
-// (the clip's floor as the root carries it), never around the foot: a foot that is inside a step still finds the step's
-// top. One that has stood still for long asks for one place alone, by setting, until what it hears there changes.
+// foreseen asks under itself and a little ahead of its toes. (The strip is asked for a few times on the way only; in
+// between, and right after the foot has left, what lies between those places: a bar that is narrower.) One that has
+// just been planted reads its ground closely. Each probe is a vertical segment around the reference height (the clip's
+// floor as the root carries it), never around the foot: a foot that is inside a step still finds the step's top. One
+// that has stood still for long asks for one place alone, by setting, until what it hears there changes.
 #include "place/way.h"
 
 #define FLYING 0.8f           // L/s
 #define CHOICE_TIME 0.12f     // s
+#define LEFT_TIME 0.02f       // s
 #define MEANT_ELSEWHERE 0.02f // L
 #define STRIP_TIME 0.24f      // s in which the strip becomes short, until the last choice
 #define CLIMB 0.7f            // rise per length: as much further up and down is asked for places ahead of the root
@@ -55,14 +57,29 @@ int32_t soleProbesPerLeg( const soleSettings* settings )
 
 // ------------------------------------------------------------------------------------------------------------- aim
 
+int32_t soleGetLookCount( const soleSettings* settings )
+{
+	return soleGetProbeCounts( settings->probe.layout ).way;
+}
+
+/// Every CHOICE_TIME, counted from a share of it before the foot comes down.
+static bool soleIsDue( const solePlaceWork* work, const soleLegWork* leg, float share )
+{
+	float now = leg->stepInput.until / CHOICE_TIME + share;
+	float before = ( leg->stepInput.until + work->timeStep ) / CHOICE_TIME + share;
+	return (int32_t)soleMinF( now, 1e6f ) != (int32_t)soleMinF( before, 1e6f );
+}
+
+static bool soleHasJustLeft( const solePlaceWork* work, const soleLegWork* leg )
+{
+	return leg->stepInput.since >= LEFT_TIME && leg->stepInput.since - work->timeStep < LEFT_TIME;
+}
+
 /// A foothold is chosen anew when the animation means another, and a few times on the way there.
 static bool soleIsTimeToChoose( const solePlaceWork* work, const soleLegWork* leg )
 {
 	soleVec3 moved = soleSub( soleAdd( leg->landing, work->root_w ), leg->state->stepLanding_w );
-	float now = leg->stepInput.until / CHOICE_TIME;
-	float before = ( leg->stepInput.until + work->timeStep ) / CHOICE_TIME;
-	bool due = (float)(int32_t)soleMinF( now, 1e6f ) != (float)(int32_t)soleMinF( before, 1e6f );
-	return due || soleLength( soleHorizontal( work, moved ) ) > MEANT_ELSEWHERE * leg->length;
+	return soleIsDue( work, leg, 0.0f ) || soleLength( soleHorizontal( work, moved ) ) > MEANT_ELSEWHERE * leg->length;
 }
 
 /// A held foot is where it is held.
@@ -119,6 +136,8 @@ void soleAimSole( solePlaceWork* work, soleLegWork* leg )
 	const soleLegState* state = leg->state;
 	leg->choosing = leg->foreseen && ( ( state->flags & sole_statePlanned ) == 0 || soleIsTimeToChoose( work, leg ) );
 	float freeze = work->settings->foothold.freeze;
+	leg->looking = leg->foreseen && leg->choosing == false && leg->stepInput.until > freeze &&
+	    ( soleIsDue( work, leg, 0.5f ) || soleHasJustLeft( work, leg ) );
 	bool closely = work->settings->probe.layout != sole_probeSingle;
 	leg->reading = closely && leg->foreseen && ( state->flags & sole_statePlanned ) != 0 &&
 	    leg->stepInput.until < freeze && leg->stepInput.until + work->timeStep >= freeze;
@@ -213,6 +232,20 @@ static soleVec3 soleStripPoint(
 	return soleMulAdd( center, near + far * ( even - near ), leg->landingForward );
 }
 
+/// Places between where the foot set out and where it goes.
+/// @param first the first, in steps between them
+static int32_t soleListWay(
+    const solePlaceWork* work, const soleLegWork* leg, soleVec3 to, float first, soleVec3* points )
+{
+	int32_t count = soleGetLookCount( work->settings );
+	soleVec3 from = soleSub( leg->state->planePoint_w, work->root_w );
+	for ( int32_t k = 0; k < count; ++k )
+	{
+		points[k] = soleLerp( from, to, ( (float)k + first ) / (float)( count + 1 ) );
+	}
+	return count;
+}
+
 /// Where the probes of a foot ask that will land somewhere: a strip there, both sides of the ball, the way.
 static int32_t soleListLanding( const solePlaceWork* work, const soleLegWork* leg, soleVec3* points )
 {
@@ -235,12 +268,13 @@ static int32_t soleListLanding( const solePlaceWork* work, const soleLegWork* le
 	{
 		points[count++] = soleProbePoint( leg, print, ( soleProbePlace ){ 0.0f, k == 0 ? -0.8f : 0.8f } );
 	}
-	soleVec3 from = soleSub( leg->state->planePoint_w, work->root_w );
-	for ( int32_t k = 0; k < counts.way; ++k )
-	{
-		points[count++] = soleLerp( from, chosen, (float)( k + 1 ) / (float)( counts.way + 1 ) );
-	}
-	return count;
+	return count + soleListWay( work, leg, chosen, 1.0f, points + count );
+}
+
+/// Half-way between the places on the way that are asked for with the foothold: a bar may lie there.
+static int32_t soleListNarrow( const solePlaceWork* work, const soleLegWork* leg, soleVec3* points )
+{
+	return soleListWay( work, leg, soleLevelPlace( work, leg ), 0.5f, points );
 }
 
 /// Places under a sole.
@@ -289,7 +323,8 @@ static int32_t soleListPoints( const solePlaceWork* work, const soleLegWork* leg
 	}
 	if ( leg->foreseen )
 	{
-		return leg->choosing ? soleListLanding( work, leg, points ) : 0;
+		return leg->choosing ? soleListLanding( work, leg, points )
+		                     : ( leg->looking ? soleListNarrow( work, leg, points ) : 0 );
 	}
 	return leg->asleep ? soleListPlaces( leg, leg->print, soleSinglePlaces, 1, points )
 	                   : soleListSole( work, leg, points );

@@ -5,9 +5,12 @@
 // On an even slope that is the slope itself.
 #include "place/way.h"
 
-#define BY_TIME 0.25f  // L: a step shorter than this goes by time
-#define NEAR_END 0.06f // share of the way near its ends in which nothing can be cleared any more
-#define MOST_MORE 1.6f // by this much the smoothed hull may be raised
+#include <float.h>
+
+#define BY_TIME 0.25f     // L: a step shorter than this goes by time
+#define NEAR_END 0.06f    // share of the way near its ends in which nothing can be cleared any more
+#define STANDS_OUT 0.033f // L over both ends: a narrow thing, no stair
+#define MOST_MORE 1.6f    // by this much the smoothed hull may be raised
 
 soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal )
 {
@@ -81,8 +84,9 @@ typedef struct soleClearance
 #define MAX_CLEARANCES ( 3 * SOLE_MAX_PROBES_PER_LEG + 2 )
 
 /// How far the way has to be lifted so that neither heel, ball nor toes meet what lies between its ends.
+/// @param least height from which on what lies there counts
 static int32_t soleFindClearances(
-    const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleClearance* list )
+    const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float least, soleClearance* list )
 {
 	int32_t count = 0;
 	list[count++] = ( soleClearance ){ 0.0f, 0.0f };
@@ -97,7 +101,7 @@ static int32_t soleFindClearances(
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
-		for ( int32_t k = 0; k < 3 && sample->found; ++k )
+		for ( int32_t k = 0; k < 3 && sample->found && sample->height > least; ++k )
 		{
 			// Where the ball is while that part of the foot passes over the place, if it does.
 			soleVec3 ball = soleMulAdd( soleSub( sample->place, way->from ), -parts[k], leg->landingForward );
@@ -139,10 +143,11 @@ static float soleHullAt( const soleClearance* list, int32_t count, float s )
 }
 
 /// The least lift that clears all: the hull, smoothed, and as much higher as smoothing has lowered it somewhere.
-void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] )
+static void soleLiftOver(
+    const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float least, float lift[3] )
 {
 	soleClearance list[MAX_CLEARANCES];
-	int32_t count = soleFindClearances( work, leg, way, list );
+	int32_t count = soleFindClearances( work, leg, way, least, list );
 	for ( int32_t i = 0; i < 3; ++i )
 	{
 		lift[i] = soleHullAt( list, count, 0.25f * (float)( i + 1 ) );
@@ -158,4 +163,15 @@ void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const sole
 	{
 		lift[i] = soleMinF( more * lift[i], work->settings->probe.stepUp * leg->length );
 	}
+}
+
+void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] )
+{
+	soleLiftOver( work, leg, way, -FLT_MAX, lift );
+}
+
+void soleFindNarrowLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] )
+{
+	float ends = soleMaxF( soleDot( way->from, work->up ), soleDot( way->to, work->up ) );
+	soleLiftOver( work, leg, way, ends + STANDS_OUT * leg->length, lift );
 }

@@ -26,5 +26,8 @@ float soleShareOfTime( const soleLegWork* leg );
 solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place );
 /// The least lift that clears what the samples say lies between.
 void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] );
+/// The same where all that the samples have met between those asked for with the foothold is narrow things: what stands
+/// out over both ends.
+void soleFindNarrowLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] );
 
 #endif
