@@ -271,8 +271,8 @@ typedef struct soleSettings
 		float down;              // furthest down. L [0, 1] default 0.45
 		float up;                // furthest up. L [0, 1] default 0.1
 		float halfLife;          // s [0, 2] default 0.08
-		float hold; // it stays down for so long after it had to, to be there for the next step; at most 0.5 where two
-		            // steps are seen to need much less. s [0, 4] default 1.2
+		float hold; // it stays down for so long after it had to, to be there for the next step; at most 0.3 where the
+		            // step under way needs much less. s [0, 4] default 1.2
 		float release;  // half-life of its way up from there. s [0, 4] default 0.2
 		float speed;    // fastest that it moves up or down, beyond the animation. L/s [0, 100] default 0.9
 		float balance;  // share of the feet's mean shift that the pelvis follows sideways. [0, 1] default 0
@@ -498,7 +498,6 @@ typedef struct soleLegState
 	soleVec3 stepLanding_w; // where the animation meant it to land when that was chosen
 	soleVec3 heldShift;     // how far from the animation the foot was when it came to be held
 	float strayTime;        // for how long it has been further off than that, s
-	float stepNeed;         // where the pelvis has to go for its step, or had to for the last
 	float missTime;         // for how long nothing was met under it while it stands, s
 	float shortfall;        // how far the foot was from where it was wanted, of the leg's length
 	float restep;           // what is left of a step by which it follows, s

@@ -20,7 +20,7 @@
 #define HEEL_FREE 0.06f    // L: one that is as much higher is free to be lifted further
 #define AGAIN 0.011f       // L: a step that needs so little less needs the same again
 #define SAME 1e-5f         // L
-#define SEEN 0.5f          // s: kept no longer where the steps that are seen need much less
+#define SEEN 0.3f          // s: kept no longer where the step under way needs much less
 #define MUCH_LESS 0.15f    // L
 #define FREE 1e3f          // L
 #define CARRIED 0.8f // share of the most that the ground may use up: on steep stairs some is left to catch up with
@@ -104,7 +104,8 @@ static soleBounds soleFindBounds( const solePlaceWork* work, float over )
 			float near = soleSmoothly( soleSaturate( LANDING_SHARE * leg->stand.time ) );
 			float landing = soleFindLandingCeiling( work, leg, reach.soft ) - over;
 			bounds.landing = soleMinF( bounds.landing, near * landing );
-			leg->state->stepNeed = landing;
+			bounds.step = soleMinF( bounds.step, landing );
+			bounds.stepping = true;
 		}
 		bounds.ceiling = bounds.any ? soleMinF( bounds.ceiling, ceiling ) : ceiling;
 		bounds.most = bounds.any ? soleMinF( bounds.most, most ) : most;
@@ -159,21 +160,13 @@ static void soleStepStanding( solePlaceWork* work )
 	state->standing = work->first ? 0.0f : soleSaturate( state->standing + step );
 }
 
-/// For how long the pelvis is kept low. Who has come to the end of the stairs, and sees that neither this step nor the
-/// last needs it, does not stay down.
+/// For how long the pelvis is kept low. Who has come to the end of the stairs, and sees that the step under way needs
+/// much less, does not stay down.
 static float soleFindHold( const solePlaceWork* work, float legLength )
 {
-	bool seen = false;
-	float need = 0.0f;
-	for ( int32_t i = 0; i < work->legCount; ++i )
-	{
-		const soleLegWork* leg = work->legs + i;
-		seen = seen || leg->planned;
-		need = soleMinF( need, leg->state->stepNeed );
-	}
 	float hold = work->settings->pelvis.hold;
-	bool less = need > work->state->pelvisHeld + MUCH_LESS * legLength;
-	return seen && less ? soleMinF( SEEN, hold ) : hold;
+	bool less = work->bounds.step > work->state->pelvisHeld + MUCH_LESS * legLength;
+	return work->bounds.stepping && less ? soleMinF( SEEN, hold ) : hold;
 }
 
 /// Goes down at once, and up again only when it has not been needed for some time: the lowest that each step needs is

@@ -179,7 +179,8 @@ typedef struct soleBounds
 	float landing; // no leg that comes down will be, as far as it is on its way
 	float most;    // no leg is longer than it can be with its heel raised
 	float floor;
-	bool any;
+	float step; // where the steps under way need it, when they are over. 0: no lower than it is animated
+	bool any, stepping;
 } soleBounds;
 
 /// What angles among the settings come to.
