@@ -4,23 +4,8 @@
 #include "test.h"
 
 #include "act_play.h"
+#include "scene_actor.h"
 #include "scene_meter.h"
-
-static testActor s_actor;
-
-static int setup( void** state )
-{
-	(void)state;
-	testOpenActor( &s_actor, NULL );
-	return 0;
-}
-
-static int teardown( void** state )
-{
-	(void)state;
-	testCloseActor( &s_actor );
-	return 0;
-}
 
 /// The jump of T33, and a host that leaves all to Sole.
 static void jumpUnattended( const soleAct* act, const soleStage* stage, int32_t take, double time, soleSceneMoment* m )

@@ -32,14 +32,7 @@ static void stand( soleAncestorKind kind, soleGround* ground )
 
 static void drawWith( uint32_t mask )
 {
-	soleDebugDraw draw = soleDefaultDebugDraw();
-	draw.line = onLine;
-	draw.arrow = onArrow;
-	draw.circle = onCircle;
-	draw.sphere = onSphere;
-	draw.text = onText;
-	draw.user = &recorder;
-	draw.mask = mask;
+	soleDebugDraw draw = makeDraw( mask );
 	recorder.count = 0;
 	soleDrawnAncestor drawn = { run.biped.rig, &run.frame, run.placed, probes, hits, run.probeCount, &run.out };
 	soleDrawAncestor( &draw, &drawn );

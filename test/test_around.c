@@ -5,7 +5,7 @@
 #include "spider.h"
 
 #include "act.h"
-#include "sole/ground.h"
+#include "ground_support.h"
 
 #define RATE 60.0
 #define PERIOD 0.6f
@@ -48,10 +48,7 @@ static void start( Climb* climb )
 	mesh.vertexCount = climb->scene.vertexCount;
 	mesh.indices = climb->scene.indices;
 	mesh.triangleCount = climb->scene.triangleCount;
-	soleGroundDef def = soleDefaultGroundDef();
-	def.meshes = &mesh;
-	def.meshCount = 1;
-	assert_int_equal( soleCreateGround( &def, NULL, &climb->ground, NULL ), sole_success );
+	climb->ground = testMakeGround( &mesh, 1 );
 	climb->state = soleDefaultState( climb->spider.rig );
 	climb->settings = soleDefaultSettings();
 	// In a corner the faces to both sides are a leg's length off, and lean by 60 degrees. The way carries the body.

@@ -4,6 +4,7 @@
 // Figures are in millimetres and degrees.
 #include "test.h"
 
+#include "scene_actor.h"
 #include "scene_checks.h"
 #include "scene_proof.h"
 #include "scene_wild.h"
@@ -27,8 +28,6 @@ static const struct
 	{ 32, "T01 T42 bend: G4 53.94, deg 24.55, and 1 more" },
 	{ 33, "T01 T41 run, stop unlabelled: G2 0.06265, sw 37.47, and 1 more" },
 };
-
-static testActor s_actor;
 
 /// Compares with the list.
 static void testJudge( testProof* proof )
@@ -445,20 +444,6 @@ static void complaint33LetGoFeetCutThroughNothing( void** state )
 	}
 	testProveAll( &proof, "T01", "T41", test_g2 );
 	testJudge( &proof );
-}
-
-static int setup( void** state )
-{
-	(void)state;
-	testOpenActor( &s_actor, NULL );
-	return 0;
-}
-
-static int teardown( void** state )
-{
-	(void)state;
-	testCloseActor( &s_actor );
-	return 0;
 }
 
 int main( void )

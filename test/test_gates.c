@@ -5,6 +5,7 @@
 #include "test.h"
 
 #include "gates_not_yet.h"
+#include "scene_actor.h"
 #include "scene_checks.h"
 #include "scene_figures.h"
 
@@ -69,22 +70,6 @@ static const struct
 	{ "T46", test_g1 | test_g4 | test_gPlants },
 	{ "T47", test_g1 | test_g4 | test_gPlants },
 };
-
-static testActor s_actor;
-
-static int setup( void** state )
-{
-	(void)state;
-	testOpenActor( &s_actor, NULL );
-	return 0;
-}
-
-static int teardown( void** state )
-{
-	(void)state;
-	testCloseActor( &s_actor );
-	return 0;
-}
 
 // ----------------------------------------------------------------------------------------------------------- printing
 

@@ -2,25 +2,10 @@
 // What a host tells Sole of its clips' steps: foreseen from the past alone, the same at every frame rate, and true.
 #include "test.h"
 
+#include "scene_actor.h"
 #include "scene_steps.h"
 
 #include <math.h>
-
-static testActor s_actor;
-
-static int setup( void** state )
-{
-	(void)state;
-	testOpenActor( &s_actor, NULL );
-	return 0;
-}
-
-static int teardown( void** state )
-{
-	(void)state;
-	testCloseActor( &s_actor );
-	return 0;
-}
 
 static soleTransform place( double x, double z, double heading )
 {

@@ -3,24 +3,9 @@
 // beside the same without it. World space, metres, degrees.
 #include "test.h"
 
+#include "scene_actor.h"
 #include "scene_meter.h"
 #include "settings_file.h"
-
-static testActor s_actor;
-
-static int setup( void** state )
-{
-	(void)state;
-	testOpenActor( &s_actor, NULL );
-	return 0;
-}
-
-static int teardown( void** state )
-{
-	(void)state;
-	testCloseActor( &s_actor );
-	return 0;
-}
 
 // ------------------------------------------------------------------------------------------------------------ scenes
 
