@@ -197,7 +197,10 @@ static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 	state->planePoint_w = soleAdd( from, work->root_w );
 	state->flags |= (uint32_t)sole_statePlanned;
 	state->flags &= ~(uint32_t)sole_stateChosen;
-	state->stepOver[0] = state->stepOver[1] = state->stepOver[2] = 0.0f;
+	for ( int32_t i = 0; i < 3; ++i )
+	{
+		state->stepLift[i] = state->stepOver[i] = 0.0f; // what is known is of the last step
+	}
 }
 
 /// Over what was met, and over what narrow things were met before.
