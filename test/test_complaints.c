@@ -15,7 +15,6 @@ static const struct
 	const char* figures; // when it was listed
 } s_notYet[] = {
 	{ 1, "T03 1.40 ramped: G4 236.7, deg 63.14, and 11 more" },
-	{ 2, "T11-45 up and down: flat 80.71" },
 	{ 8, "T11-45 up and down: er 119.7, and 3 more" },
 	{ 9, "T24 turn at the edge: G4 28.21, deg 5.776, ov 0.45, and 2 more" },
 	{ 12, "T30 stand: G1 7.377, and 1 more" },

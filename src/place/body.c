@@ -24,46 +24,103 @@
 /// Means and covariances of the places that the body stands on, seen from the pelvis.
 typedef struct soleBodyFit
 {
-	float weight;
+	soleVec3 pelvis;
 	soleVec3 ahead, aside; // the axes of u and v
+	float weight;
 	float u, v, h;
 	float uu, uv, vv, uh, vh;
 } soleBodyFit;
 
-static soleBodyFit soleGatherPlaces( const solePlaceWork* work, bool before )
+static soleBodyFit soleBeginFit( const solePlaceWork* work, soleVec3 pelvis )
 {
-	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
-	soleVec3 ahead = work->level;
-	soleBodyFit f = { .ahead = ahead, .aside = soleCross( work->up, ahead ) };
-	for ( int32_t i = 0; i < 2 * work->legCount; ++i )
+	return ( soleBodyFit ){ .pelvis = pelvis, .ahead = work->level, .aside = soleCross( work->up, work->level ) };
+}
+
+static void soleAddPlace( const solePlaceWork* work, soleVec3 place, float weight, soleBodyFit* f )
+{
+	soleVec3 from = soleSub( place, f->pelvis );
+	float du = soleDot( from, f->ahead ), dv = soleDot( from, f->aside ), dh = soleDot( from, work->up );
+	f->weight += weight;
+	f->u += weight * du;
+	f->v += weight * dv;
+	f->h += weight * dh;
+	f->uu += weight * du * du;
+	f->uv += weight * du * dv;
+	f->vv += weight * dv * dv;
+	f->uh += weight * du * dh;
+	f->vh += weight * dv * dh;
+}
+
+/// The place that a leg came from and the one that it goes to, by how far it is on its way.
+static void soleAddStand( const solePlaceWork* work, const soleStand* stand, float share, float weight, soleBodyFit* f )
+{
+	soleAddPlace( work, stand->from, weight * ( 1.0f - share ), f );
+	soleAddPlace( work, stand->to, weight * share, f );
+}
+
+static void soleEndFit( soleBodyFit* f )
+{
+	float perWeight = f->weight > 0.0f ? 1.0f / f->weight : 0.0f;
+	f->u *= perWeight;
+	f->v *= perWeight;
+	f->h *= perWeight;
+	f->uu = f->uu * perWeight - f->u * f->u;
+	f->uv = f->uv * perWeight - f->u * f->v;
+	f->vv = f->vv * perWeight - f->v * f->v;
+	f->uh = f->uh * perWeight - f->u * f->h;
+	f->vh = f->vh * perWeight - f->v * f->h;
+}
+
+static float soleGetSay( const solePlaceWork* work, const soleLegWork* leg, bool counts, float weight )
+{
+	float planted = work->settings->pelvis.follow == sole_followPlanted ? leg->state->plantWeight : 1.0f;
+	return leg->usable && counts ? weight * planted : 0.0f;
+}
+
+static soleVec3 soleGetPelvis( const solePlaceWork* work )
+{
+	return work->slots[work->rig->pelvisSlot].translation;
+}
+
+/// By what the last frame knew.
+static soleBodyFit soleFitBefore( const solePlaceWork* work )
+{
+	soleBodyFit f = soleBeginFit( work, soleGetPelvis( work ) );
+	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
-		const soleLegWork* leg = work->legs + i / 2;
-		const soleStand* stand = before ? &leg->standBefore : &leg->stand;
-		bool counts = leg->usable && ( before ? leg->hadGround : leg->hasGround );
-		float legWeight = before ? leg->weightBefore : leg->weight;
-		legWeight *= work->settings->pelvis.follow == sole_followPlanted ? leg->state->plantWeight : 1.0f;
-		float weight = counts ? legWeight * ( i % 2 == 0 ? 1.0f - stand->share : stand->share ) : 0.0f;
-		soleVec3 from = soleSub( i % 2 == 0 ? stand->from : stand->to, pelvis );
-		float du = soleDot( from, f.ahead ), dv = soleDot( from, f.aside ), dh = soleDot( from, work->up );
-		f.weight += weight;
-		f.u += weight * du;
-		f.v += weight * dv;
-		f.h += weight * dh;
-		f.uu += weight * du * du;
-		f.uv += weight * du * dv;
-		f.vv += weight * dv * dv;
-		f.uh += weight * du * dh;
-		f.vh += weight * dv * dh;
+		const soleLegWork* leg = work->legs + i;
+		float say = soleGetSay( work, leg, leg->hadGround, leg->weightBefore );
+		soleAddStand( work, &leg->standBefore, leg->standBefore.share, say, &f );
 	}
-	float perWeight = f.weight > 0.0f ? 1.0f / f.weight : 0.0f;
-	f.u *= perWeight;
-	f.v *= perWeight;
-	f.h *= perWeight;
-	f.uu = f.uu * perWeight - f.u * f.u;
-	f.uv = f.uv * perWeight - f.u * f.v;
-	f.vv = f.vv * perWeight - f.v * f.v;
-	f.uh = f.uh * perWeight - f.u * f.h;
-	f.vh = f.vh * perWeight - f.v * f.h;
+	soleEndFit( &f );
+	return f;
+}
+
+static soleBodyFit soleFitNow( const solePlaceWork* work )
+{
+	soleBodyFit f = soleBeginFit( work, soleGetPelvis( work ) );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* leg = work->legs + i;
+		float say = soleGetSay( work, leg, leg->hasGround, leg->weight );
+		soleAddStand( work, &leg->stand, leg->stand.share, say, &f );
+	}
+	soleEndFit( &f );
+	return f;
+}
+
+/// When a leg comes down: the pelvis has gone on as the root will, and who is to be down no later is down.
+static soleBodyFit soleFitLanding( const solePlaceWork* work, const soleLegWork* landing )
+{
+	soleBodyFit f = soleBeginFit( work, soleAdd( soleGetPelvis( work ), landing->travel ) );
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		const soleLegWork* leg = work->legs + i;
+		float say = soleGetSay( work, leg, leg->hasGround, leg->weight );
+		bool down = leg->planned && leg->stepInput.until <= landing->stepInput.until;
+		soleAddStand( work, &leg->stand, down ? 1.0f : leg->stand.share, say, &f );
+	}
+	soleEndFit( &f );
 	return f;
 }
 
@@ -80,8 +137,7 @@ static float soleFindLineHeight( const solePlaceWork* work, const soleBodyFit* f
 	soleHalf axis = soleMakeHalf( f->uu - f->vv, 2.0f * f->uv );
 	float spread = axis.c * axis.c * f->uu + 2.0f * axis.c * axis.s * f->uv + axis.s * axis.s * f->vv;
 	float slope = ( axis.c * f->uh + axis.s * f->vh ) / ( spread + least * least );
-	soleVec3 pelvis = work->slots[work->rig->pelvisSlot].translation;
-	return soleDot( pelvis, work->up ) + f->h - slope * ( axis.c * f->u + axis.s * f->v );
+	return soleDot( f->pelvis, work->up ) + f->h - slope * ( axis.c * f->u + axis.s * f->v );
 }
 
 /// The lowest ground under a foot; the reference height where there is none. What it does is not foreseen: the pelvis
@@ -144,8 +200,8 @@ static void soleLearnGradient( solePlaceWork* work, const soleBodyFit* f )
 
 void soleFindBodyGround( solePlaceWork* work )
 {
-	soleBodyFit before = soleGatherPlaces( work, true );
-	soleBodyFit now = soleGatherPlaces( work, false );
+	soleBodyFit before = soleFitBefore( work );
+	soleBodyFit now = soleFitNow( work );
 	work->bodyBefore = soleFindLineHeight( work, &before );
 	work->bodyGround = soleFindLineHeight( work, &now );
 	soleLearnGradient( work, &now );
@@ -153,4 +209,10 @@ void soleFindBodyGround( solePlaceWork* work )
 	{
 		soleFollowLowest( work );
 	}
+}
+
+float soleForeseeBodyGround( const solePlaceWork* work, const soleLegWork* landing )
+{
+	soleBodyFit then = soleFitLanding( work, landing );
+	return soleFindLineHeight( work, &then );
 }

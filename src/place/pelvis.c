@@ -27,9 +27,10 @@
 #define STANDING_TIME 0.3f // s
 #define STANDING_IN 0.5f   // s
 #define STANDING_OUT 0.2f  // s
+#define LEAST_TIME 1e-3f   // s
+#define PEAK 1.3f          // the body's ground is so much faster half-way than on the mean
 #define LN_2 0.6931472f
-#define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
-#define LANDING_SHARE 1.6f // the pelvis is ready for a foot that comes down after 1 / 1.6 of its way
+#define MARGIN 0.011f // L: it goes a quarter of this lower than it has to, to be there in time
 
 /// Offset at which the hip is this far from a target.
 static float soleOffsetFor( const solePlaceWork* work, const soleLegWork* leg, soleVec3 target, float length )
@@ -79,6 +80,24 @@ static float soleFindLandingCeiling( const solePlaceWork* work, const soleLegWor
 	return soleOffsetFor( work, leg, ankle, longest ) - soleMinF( own, 0.0f );
 }
 
+/// Where the pelvis has to be when a foot comes down, over the ground that the body will be over then. It goes there as
+/// the foot does, and begins early enough to be there in time: at the speed that the ground's own way leaves to it
+/// (none where that goes faster down; then it has to be lower beforehand), its springs' lag included.
+static void soleFindLandingBounds(
+    const solePlaceWork* work, const soleLegWork* leg, float longest, float over, soleBounds* bounds )
+{
+	const soleSettings* s = work->settings;
+	float ahead = soleForeseeBodyGround( work, leg ) - work->reference;
+	float landing = soleFindLandingCeiling( work, leg, longest ) - ahead;
+	float near = soleSmoothly( soleSaturate( leg->stand.time ) );
+	float until = soleMaxF( leg->stepInput.until, LEAST_TIME );
+	float pace = s->pelvis.speed * soleLongestLeg( work ) + PEAK * ( ahead - over ) / until;
+	float still = landing + pace * soleMaxF( until - s->pelvis.halfLife, 0.0f );
+	bounds->landing = soleMinF( bounds->landing, soleMinF( near * landing, still ) );
+	bounds->step = soleMinF( bounds->step, landing );
+	bounds->stepping = true;
+}
+
 static soleBounds soleFindBounds( const solePlaceWork* work, float over )
 {
 	soleBounds bounds = { .any = false };
@@ -101,11 +120,7 @@ static soleBounds soleFindBounds( const solePlaceWork* work, float over )
 		float floor = soleOffsetFor( work, leg, leg->ankleTarget, shortest ) - slack;
 		if ( leg->planned )
 		{
-			float near = soleSmoothly( soleSaturate( LANDING_SHARE * leg->stand.time ) );
-			float landing = soleFindLandingCeiling( work, leg, reach.soft ) - over;
-			bounds.landing = soleMinF( bounds.landing, near * landing );
-			bounds.step = soleMinF( bounds.step, landing );
-			bounds.stepping = true;
+			soleFindLandingBounds( work, leg, reach.soft, over, &bounds );
 		}
 		bounds.ceiling = bounds.any ? soleMinF( bounds.ceiling, ceiling ) : ceiling;
 		bounds.most = bounds.any ? soleMinF( bounds.most, most ) : most;

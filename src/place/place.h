@@ -474,6 +474,8 @@ void soleClassReach( solePlaceWork* work );
 void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.
 void soleFindBodyGround( solePlaceWork* work );
+/// The same when a leg will come down that is on its way.
+float soleForeseeBodyGround( const solePlaceWork* work, const soleLegWork* landing );
 /// What the same demand does without one: lean, hips, knees.
 void soleAddLayer( solePlaceWork* work );
 /// One height that all legs can live with.
