@@ -17,7 +17,7 @@ echo "Builds sole_bench, measures every case with all variants in turn, and writ
 scripts/setup.sh build bench
 build=build/bench
 mkdir -p $build
-if ! { cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSOLE_BENCH=ON && cmake --build $build --target sole_bench; } \
+if ! { cmake -S . -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSOLE_BENCH=ON && cmake --build $build --target sole_bench sole_bench_stages; } \
 	> $build/build.log 2>&1; then
 	cat $build/build.log >&2
 	exit 1
@@ -25,6 +25,7 @@ fi
 bench=$build/bench/sole_bench
 csv=$build/bench.csv
 $bench "${options[@]}" -o $csv
+${bench}_stages >> $csv
 
 # pivot PATTERN: cases whose names match, a column for each variant, median and (min).
 pivot()
@@ -102,21 +103,23 @@ growth()
 		}' $csv
 }
 
-# stages: what each stage of a solve takes, in instructions, most of which are in functions of the stage's own name.
+# stages: what each stage of a solve takes, most of which are in functions of the stage's own name: instructions, and what
+# a machine with this one's first caches would miss.
 stages()
 {
 	local names
 	names=$( sed -nE 's/^void (sole[A-Za-z]*)\( (const )?solePlaceWork\* work.*/\1/p' src/place/place.h | sort -u )
-	valgrind --tool=callgrind --callgrind-out-file=$build/solve.callgrind --toggle-collect=benchCounted \
-		$bench --count biped-solve/sole > $build/solve.log 2>&1
-	callgrind_annotate --inclusive=yes --threshold=100 $build/solve.callgrind | awk -v names="$names" '
+	valgrind --tool=callgrind --cache-sim=yes --branch-sim=yes --callgrind-out-file=$build/solve.callgrind \
+		--toggle-collect=benchCounted $bench --count biped-solve/sole > $build/solve.log 2>&1
+	callgrind_annotate --inclusive=yes --threshold=100 --show-percs=no --show=Ir,I1mr,D1mr,D1mw,Bcm $build/solve.callgrind |
+		awk -v names="$names" '
 		BEGIN { n = split( names, list ); for ( i = 1; i <= n; ++i ) { wanted[list[i]] = 1 } }
+		function each( figure ) { gsub( /,/, "", figure ); return ( figure == "." ? 0 : figure ) / 256 }
 		match( $0, /:sole[A-Za-z]*/ ) {
 			name = substr( $0, RSTART + 1, RLENGTH - 1 )
 			if ( name in wanted && !( name in seen ) ) {
 				seen[name] = 1
-				gsub( /,/, "", $1 )
-				printf "| %s | %.0f |\n", name, $1 / 256
+				printf "| %s | %.0f | %.1f | %.1f | %.1f |\n", name, each( $1 ), each( $2 ), each( $3 ) + each( $4 ), each( $5 )
 			}
 		}'
 }
@@ -164,10 +167,16 @@ writePage()
 
 		$( pivot '^crowd-[0-9]' )
 
-		Where a solve goes, in instructions a character (a stage with what it calls):
+		Where a solve goes by time, each stage of all frames of the walk; looking at the clock takes a little more than
+		what is taken off for it:
 
-		| stage | instructions |
-		|---|---:|
+		$( pivot '^stage ' )
+
+		And by counts of callgrind, a character and frame, a stage with what it calls: instructions, lines of code and of
+		data that were not in the first caches (as callgrind plays them), branches foretold wrongly.
+
+		| stage | instructions | code | data | branches |
+		|---|---:|---:|---:|---:|
 		$( stages )
 
 		## Legs by themselves

@@ -77,7 +77,10 @@ static void benchRunTape( void* context )
 			method->gather( walker );
 			break;
 		case bench_solve:
-			// Solving again from where it has led is as much work, and keeps copying out of the figure.
+			// From where each frame began: one that is solved again has no news, and chooses no foothold. The copy
+			// takes a few nanoseconds.
+			memcpy( (char*)walker + method->stateOffset, tape->states + (size_t)i * method->stateSize,
+			    method->stateSize );
 			method->solve( walker );
 			break;
 		default:
