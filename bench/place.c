@@ -34,6 +34,7 @@ typedef struct benchTape
 	const benchWalk* walk;
 	benchWalker* walkers; // as they are before each frame's solve
 	char* states;         // of them
+	size_t stateSize;     // of each
 	soleTransform* pose;
 } benchTape;
 
@@ -47,7 +48,8 @@ static void* benchOpenTape( const void* argument )
 	const benchMethod* method = tape->placing.method;
 	soleGround* ground = benchMakeWalkGround( 10000 );
 	benchWalker* walker = benchAlloc( 1, sizeof *walker );
-	tape->states = benchAlloc( FRAME_COUNT, method->stateSize );
+	tape->stateSize = method->stateSize > 0 ? method->stateSize : soleState_GetByteCount( tape->walk->character.rig );
+	tape->states = benchAlloc( FRAME_COUNT, tape->stateSize );
 	benchStartWalker( tape->walk, method, soleVec( 4.0f, 0.0f, 4.0f ), 0, walker );
 	for ( int32_t i = 0; i < FRAME_COUNT; ++i )
 	{
@@ -55,7 +57,7 @@ static void* benchOpenTape( const void* argument )
 		walker->probeCount = method->gather( walker );
 		soleCastProbes( ground, walker->probes, walker->probeCount, walker->hits );
 		tape->walkers[i] = *walker;
-		memcpy( tape->states + (size_t)i * method->stateSize, (char*)walker + method->stateOffset, method->stateSize );
+		memcpy( tape->states + (size_t)i * tape->stateSize, (char*)walker + method->stateOffset, tape->stateSize );
 		method->solve( walker );
 		tape->walkers[i].output = walker->output;
 	}
@@ -79,8 +81,7 @@ static void benchRunTape( void* context )
 		case bench_solve:
 			// From where each frame began: one that is solved again has no news, and chooses no foothold. The copy
 			// takes a few nanoseconds.
-			memcpy( (char*)walker + method->stateOffset, tape->states + (size_t)i * method->stateSize,
-			    method->stateSize );
+			memcpy( (char*)walker + method->stateOffset, tape->states + (size_t)i * tape->stateSize, tape->stateSize );
 			method->solve( walker );
 			break;
 		default:

@@ -212,8 +212,7 @@ static void benchSolveEffector( benchWalker* w )
 }
 
 const benchMethod benchMethods[] = {
-	{ "sole", offsetof( benchWalker, sole.state ), sizeof( soleState ), benchStartSole, benchGatherSole,
-	    benchSolveSole },
+	{ "sole", offsetof( benchWalker, sole.state ), 0, benchStartSole, benchGatherSole, benchSolveSole },
 	{ "ozz", offsetof( benchWalker, ozz.state ), sizeof( soleOzzState ), benchStartOzz, benchGatherOzz, benchSolveOzz },
 	{ "homebrew", offsetof( benchWalker, homebrew.state ), sizeof( soleHomebrewState ), benchStartHomebrew,
 	    benchGatherHomebrew, benchSolveHomebrew },

@@ -72,7 +72,7 @@ typedef struct benchMethod
 {
 	const char* name;
 	size_t stateOffset; // in a walker: what solve changes
-	size_t stateSize;
+	size_t stateSize;   // 0: as large as its rig needs
 	void ( *start )( const benchWalk* walk, benchWalker* walker );
 	int32_t ( *gather )( benchWalker* walker );
 	void ( *solve )( benchWalker* walker );
