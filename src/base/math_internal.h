@@ -114,15 +114,17 @@ static inline float soleExpNegative( float x )
 /// Floats that lie one after the other: none is infinite or no number.
 static inline bool soleAreFinite( const void* floats, size_t byteCount )
 {
+	// Their exponents are all ones: one more carries into the sign.
 	const uint32_t exponent = 0x7f800000u;
-	uint32_t bad = 0;
+	const uint32_t one = 0x00800000u;
+	uint32_t carried = 0;
 	for ( size_t i = 0; i < byteCount; i += sizeof( float ) )
 	{
 		uint32_t bits;
 		memcpy( &bits, (const char*)floats + i, sizeof bits );
-		bad |= ( bits & exponent ) == exponent ? 1u : 0u;
+		carried |= ( bits & exponent ) + one;
 	}
-	return bad == 0;
+	return carried >> 31 == 0;
 }
 
 static inline float soleSaturate( float x )

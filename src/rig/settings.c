@@ -170,9 +170,26 @@ void soleSettings_Set( soleSettings* settings, const soleSettingInfo* info, doub
 	}
 }
 
+/// A word as an integer: floats in their order, minus zero right under zero, what is no number outside of all of them.
+/// An integer below zero stays below zero, which is all that is asked of it: none may be.
+static inline int32_t soleOrderWord( uint32_t bits )
+{
+	uint32_t magnitude = ( 0u - ( bits >> 31 ) ) >> 1; // all bits but the highest where that is set
+	uint32_t ordered = bits ^ magnitude;
+	int32_t word;
+	memcpy( &word, &ordered, sizeof word );
+	return word;
+}
+
+static int32_t soleOrderFloat( float value )
+{
+	uint32_t bits;
+	memcpy( &bits, &value, sizeof bits );
+	return soleOrderWord( bits );
+}
+
 void soleFillSettingRanges( soleSettingRanges* ranges )
 {
-	memset( ranges, 0, sizeof *ranges );
 	int32_t count;
 	const soleSettingInfo* infos = soleGetSettingInfos( &count );
 	for ( int32_t i = 0; i < count; ++i )
@@ -180,32 +197,24 @@ void soleFillSettingRanges( soleSettingRanges* ranges )
 		size_t word = infos[i].offset / sizeof( float );
 		bool isFloat = infos[i].type == sole_settingFloat;
 		bool isMask = infos[i].type == sole_settingMask;
-		ranges->isFloat[word] = isFloat ? UINT32_MAX : 0u;
-		ranges->low[word] = isFloat ? (float)infos[i].minimum : 0.0f;
-		ranges->high[word] = isFloat ? (float)infos[i].maximum : 0.0f;
-		ranges->lowInteger[word] = isMask ? INT32_MIN : 0;
-		ranges->highInteger[word] = isMask ? INT32_MAX : ( isFloat ? 0 : (int32_t)infos[i].maximum );
+		// Zero has two signs.
+		float low = infos[i].minimum == 0.0 ? -0.0f : (float)infos[i].minimum;
+		ranges->low[word] = isFloat ? soleOrderFloat( low ) : ( isMask ? INT32_MIN : 0 );
+		ranges->high[word] =
+		    isFloat ? soleOrderFloat( (float)infos[i].maximum ) : ( isMask ? INT32_MAX : (int32_t)infos[i].maximum );
 	}
 }
 
 bool soleSettings_AreInRange( const soleSettings* settings, const soleSettingRanges* ranges )
 {
-	uint32_t words[SOLE_SETTING_WORDS];
-	memcpy( words, settings, sizeof words );
+	// Without branches: compilers make wide code of it.
 	uint32_t out = 0;
 	for ( size_t i = 0; i < SOLE_SETTING_WORDS; ++i )
 	{
-		uint32_t isFloat = ranges->isFloat[i];
-		union
-		{
-			uint32_t bits;
-			float number;
-		} value = { words[i] & isFloat };
-		int32_t integer = (int32_t)( words[i] & ~isFloat );
-		// Without branches: compilers make wide code of it.
-		uint32_t within = (uint32_t)( value.number >= ranges->low[i] ) & (uint32_t)( value.number <= ranges->high[i] );
-		within &= (uint32_t)( integer >= ranges->lowInteger[i] ) & (uint32_t)( integer <= ranges->highInteger[i] );
-		out |= within ^ 1u;
+		uint32_t bits;
+		memcpy( &bits, (const char*)settings + i * sizeof bits, sizeof bits );
+		int32_t word = soleOrderWord( bits );
+		out |= (uint32_t)( word < ranges->low[i] ) | (uint32_t)( word > ranges->high[i] );
 	}
 	return out == 0;
 }

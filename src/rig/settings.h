@@ -8,14 +8,12 @@
 
 #define SOLE_SETTING_WORDS ( offsetof( soleSettings, internalValue ) / sizeof( float ) )
 
-/// Per word of the settings. A float has any integer for a range, and an integer any float.
+/// Per word of the settings, what is in range as an integer that is in order: of a float its bits as sign and magnitude
+/// turned into two's complement, of an integer itself.
 typedef struct soleSettingRanges
 {
-	uint32_t isFloat[SOLE_SETTING_WORDS]; // all bits or none
-	float low[SOLE_SETTING_WORDS];
-	float high[SOLE_SETTING_WORDS];
-	int32_t lowInteger[SOLE_SETTING_WORDS];
-	int32_t highInteger[SOLE_SETTING_WORDS];
+	int32_t low[SOLE_SETTING_WORDS];
+	int32_t high[SOLE_SETTING_WORDS];
 } soleSettingRanges;
 
 void soleFillSettingRanges( soleSettingRanges* ranges );
