@@ -46,6 +46,18 @@ static float soleFindGap( float* places, int32_t count )
 	return largest;
 }
 
+/// Copies of the first point up to a whole number of vectors.
+static void soleFillUp( soleRestPoints* points )
+{
+	for ( int32_t p = points->count; p % SOLE_WIDTH != 0; ++p )
+	{
+		points->u[p] = points->u[0];
+		points->v[p] = points->v[0];
+		points->h[p] = points->h[0];
+		points->fore[p] = points->fore[0];
+	}
+}
+
 static void soleFindPoints(
     const soleLegWork* leg, soleFootprint print, bool line, float loadAhead, soleRestPoints* found )
 {
@@ -55,54 +67,55 @@ static void soleFindPoints(
 	float toe = rig->toeAhead * print.along;
 	float inner = rig->innerSide * print.across;
 	float outer = rig->outerSide * print.across;
-	float right = soleMaxF( inner, outer );
-	float left = soleMinF( inner, outer );
 	float narrow = line ? 0.25f : 1.0f;
 	float beside = line ? 0.0f : margin;
+	float left = narrow * soleMinF( inner, outer ) - beside;
+	float right = narrow * soleMaxF( inner, outer ) + beside;
 	float asked[SOLE_MAX_REST_POINTS];
-	int32_t askedCount = 0;
-	found->count = 0;
-	found->ahead = 0;
-	found->under = 0;
-	found->steep = 0;
-	found->asked = 0;
-	found->askedAhead = 0;
-	found->atHeel = false;
-	found->atToe = false;
+	int32_t askedCount = 0, count = 0;
+	uint32_t ahead = 0, under = 0, steep = 0, nearHeel = 0, nearToe = 0;
+	int32_t askedUnder = 0, askedAhead = 0;
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
 		soleVec3 from = soleSub( sample->place, print.ball );
 		float u = soleDot( from, print.forward );
-		if ( !( u > heel - margin && u < toe + margin ) )
-		{
-			continue;
-		}
 		float v = soleDot( from, print.side );
-		if ( !( v > narrow * left - beside && v < narrow * right + beside ) )
+		// Where places lie cannot be foretold: one branch for all four limits.
+		if ( ( ( u > heel - margin ) & ( u < toe + margin ) & ( v > left ) & ( v < right ) ) == 0 )
 		{
 			continue;
 		}
 		asked[askedCount++] = u;
-		bool under = u > heel - 0.1f * margin && u < toe + 0.1f * margin;
-		bool ahead = u > 0.1f * toe;
-		found->asked += under ? 1 : 0;
-		found->askedAhead += under && ahead ? 1 : 0;
-		found->atHeel = found->atHeel || u < heel + 2.0f * margin;
-		found->atToe = found->atToe || u > toe - 2.0f * margin;
+		uint32_t isUnder = ( u > heel - 0.1f * margin ) & ( u < toe + 0.1f * margin );
+		uint32_t isAhead = u > 0.1f * toe;
+		askedUnder += (int32_t)isUnder;
+		askedAhead += (int32_t)( isUnder & isAhead );
+		nearHeel |= u < heel + 2.0f * margin;
+		nearToe |= u > toe - 2.0f * margin;
 		if ( sample->found )
 		{
-			int32_t p = found->count++;
-			found->u[p] = u - loadAhead;
-			found->v[p] = v;
-			found->h[p] = sample->height;
-			found->samples[p] = sample;
-			found->ahead |= ahead ? soleBit( p ) : 0u;
-			found->under |= under ? soleBit( p ) : 0u;
-			found->steep |= sample->steep ? soleBit( p ) : 0u;
+			found->u[count] = u - loadAhead;
+			found->v[count] = v;
+			found->h[count] = sample->height;
+			found->fore[count] = (float)(int32_t)isAhead;
+			found->samples[count] = sample;
+			ahead |= isAhead << count;
+			under |= isUnder << count;
+			steep |= (uint32_t)sample->steep << count;
+			count += 1;
 		}
 	}
+	found->count = count;
+	found->ahead = ahead;
+	found->under = under;
+	found->steep = steep;
+	found->asked = askedUnder;
+	found->askedAhead = askedAhead;
+	found->atHeel = nearHeel != 0;
+	found->atToe = nearToe != 0;
 	found->gap = line ? soleFindGap( asked, askedCount ) : 0.0f;
+	soleFillUp( found );
 }
 
 /// The points that may tilt the sole: toes bend, so they are left out where enough is left to carry it, and steep faces
@@ -125,10 +138,11 @@ static float soleFindToeSlope(
 {
 	bool found = false;
 	float slope = 0.0f;
-	for ( int32_t i = 0; i < p->count; ++i )
+	for ( uint32_t rest = level & p->ahead; rest != 0; rest &= rest - 1u )
 	{
+		int32_t i = (int32_t)soleGetLowestBit( rest );
 		float ahead = p->u[i] - ballU;
-		if ( soleHas( level & p->ahead, i ) == false || ahead < shortest )
+		if ( ahead < shortest )
 		{
 			continue;
 		}
@@ -148,15 +162,22 @@ static float soleShareOf( int32_t part, int32_t whole )
 static void soleJudge(
     const soleLegWork* leg, const soleRestPoints* all, const soleFit* fit, float ballU, soleRest* rest )
 {
-	float toes = rest->toeSlope;
+	soleWide zero = soleWide_Set( 0.0f );
+	soleWide deepest = zero;
 	uint32_t bearing = 0;
-	for ( int32_t i = 0; i < all->count; ++i )
+	for ( int32_t i = 0; i < all->count; i += SOLE_WIDTH )
 	{
-		float bend = soleHas( all->ahead, i ) ? toes * ( all->u[i] - ballU ) : 0.0f;
-		float gap = fit->c + fit->gu * all->u[i] + fit->gv * all->v[i] + bend - all->h[i];
-		rest->sunk = soleMaxF( rest->sunk, -gap );
-		bearing |= gap < BEARS_UNDER * leg->length ? soleBit( i ) : 0u;
+		soleWide ahead = soleWide_Sub( soleWide_Load( all->u + i ), soleWide_Set( ballU ) );
+		soleWideMask bends = soleWide_Less( zero, soleWide_Load( all->fore + i ) );
+		soleWide bend = soleWide_Select( bends, soleWide_Mul( soleWide_Set( rest->toeSlope ), ahead ), zero );
+		soleWide sole = soleWide_Add( soleGetFitHeights( all, i, fit ), bend );
+		soleWide gap = soleWide_Sub( sole, soleWide_Load( all->h + i ) );
+		deepest = soleWide_Min( deepest, gap );
+		bearing |= soleWide_GetBits( soleWide_Less( gap, soleWide_Set( BEARS_UNDER * leg->length ) ) ) << i;
 	}
+	float gaps[SOLE_WIDTH];
+	soleWide_Store( gaps, deepest );
+	rest->sunk = -soleMinF( soleMinF( gaps[0], gaps[1] ), soleMinF( gaps[2], gaps[3] ) );
 	int32_t fore = soleCount( bearing & all->under & all->ahead );
 	int32_t rear = soleCount( bearing & all->under & ~all->ahead );
 	rest->known = all->atHeel && all->atToe && all->gap < 4.0f * MARGIN * leg->length;
@@ -193,11 +214,11 @@ static soleFit soleFitSole( const solePlaceWork* work, const soleLegWork* leg, c
 
 static const soleGroundSample* soleFindHighest( const soleRestPoints* p, uint32_t level )
 {
-	int32_t highest = -1;
-	for ( int32_t i = 0; i < p->count; ++i )
+	int32_t highest = (int32_t)soleGetLowestBit( level );
+	for ( uint32_t rest = level; rest != 0; rest &= rest - 1u )
 	{
-		bool higher = soleHas( level, i ) && ( highest < 0 || p->h[i] > p->h[highest] );
-		highest = higher ? i : highest;
+		int32_t i = (int32_t)soleGetLowestBit( rest );
+		highest = p->h[i] > p->h[highest] ? i : highest;
 	}
 	return p->samples[highest];
 }

@@ -22,31 +22,60 @@ static bool soleAreNeighbours( const soleRestPoints* p, int32_t i, int32_t j, fl
 	return true;
 }
 
-/// May these two be on one level? If all may, all are: neighbours join the whole.
-static bool soleAreLevel( const soleRestPoints* p, int32_t i, int32_t j, float d2, float gap )
-{
-	float more = soleMaxF( p->h[i] - p->h[j], p->h[j] - p->h[i] ) - gap;
-	return !( more > 0.0f ) | ( more * more <= d2 );
-}
-
 static float soleDistance2( const soleRestPoints* p, int32_t i, int32_t j )
 {
 	float du = p->u[i] - p->u[j], dv = p->v[i] - p->v[j];
 	return du * du + dv * dv;
 }
 
+/// Which of four points from the j-th on cannot be on one level with the i-th: higher or lower by more than they are
+/// apart and a gap.
+static inline soleWideMask soleAreApart( const soleRestPoints* p, int32_t i, int32_t j, float gap )
+{
+	soleWide du = soleWide_Sub( soleWide_Set( p->u[i] ), soleWide_Load( p->u + j ) );
+	soleWide dv = soleWide_Sub( soleWide_Set( p->v[i] ), soleWide_Load( p->v + j ) );
+	soleWide d2 = soleWide_Add( soleWide_Mul( du, du ), soleWide_Mul( dv, dv ) );
+	soleWide h = soleWide_Set( p->h[i] ), other = soleWide_Load( p->h + j );
+	soleWide over = soleWide_Max( soleWide_Sub( h, other ), soleWide_Sub( other, h ) );
+	soleWide more = soleWide_Sub( over, soleWide_Set( gap ) );
+	soleWideMask higher = soleWide_Less( soleWide_Set( 0.0f ), more );
+	return soleWide_And( higher, soleWide_Less( d2, soleWide_Mul( more, more ) ) );
+}
+
+/// If all may be on one level, all are: neighbours join the whole.
 static bool soleAreAllLevel( const soleRestPoints* p, float gap )
 {
-	// All pairs, without branches: compilers make wide code of it.
-	uint32_t level = 1u;
-	for ( int32_t i = 0; i < p->count; ++i )
+	float lowest = p->h[0], highest = p->h[0];
+	for ( int32_t i = 1; i < p->count; ++i )
 	{
-		for ( int32_t j = i + 1; j < p->count; ++j )
+		lowest = soleMinF( p->h[i], lowest );
+		highest = soleMaxF( p->h[i], highest );
+	}
+	if ( highest - lowest <= gap )
+	{
+		return true; // as any two of them may
+	}
+	// All pairs, four at once and without branches; some of them twice.
+	soleWideMask apart = soleAreApart( p, 0, 0, gap );
+	for ( int32_t j = 0; j < p->count; j += SOLE_WIDTH )
+	{
+		for ( int32_t i = 0; i < p->count && i < j + SOLE_WIDTH; ++i )
 		{
-			level &= soleAreLevel( p, i, j, soleDistance2( p, i, j ), gap ) ? 1u : 0u;
+			apart = soleWide_Or( apart, soleAreApart( p, i, j, gap ) );
 		}
 	}
-	return level != 0;
+	return soleWide_GetBits( apart ) == 0;
+}
+
+/// The points that cannot be on one level with the i-th.
+static uint32_t soleListApart( const soleRestPoints* p, int32_t i, float gap )
+{
+	uint32_t apart = 0;
+	for ( int32_t j = 0; j < p->count; j += SOLE_WIDTH )
+	{
+		apart |= soleWide_GetBits( soleAreApart( p, i, j, gap ) ) << j;
+	}
+	return apart;
 }
 
 /// @param levels per point the set that it belongs to
@@ -58,14 +87,10 @@ static void soleJoinLevels( const soleRestPoints* p, float gap, uint32_t levels[
 	}
 	for ( int32_t i = 0; i < p->count; ++i )
 	{
+		uint32_t apart = soleListApart( p, i, gap );
 		for ( int32_t j = i + 1; j < p->count; ++j )
 		{
-			if ( soleHas( levels[i], j ) )
-			{
-				continue;
-			}
-			float d2 = soleDistance2( p, i, j );
-			if ( soleAreLevel( p, i, j, d2, gap ) && soleAreNeighbours( p, i, j, d2 ) )
+			if ( soleHas( levels[i] | apart, j ) == false && soleAreNeighbours( p, i, j, soleDistance2( p, i, j ) ) )
 			{
 				uint32_t both = levels[i] | levels[j];
 				for ( int32_t k = 0; k < p->count; ++k )
@@ -83,7 +108,7 @@ uint32_t soleFindHighestLevel( const soleRestPoints* p, float gap )
 	uint32_t levels[SOLE_MAX_REST_POINTS];
 	if ( p->count < 2 || soleAreAllLevel( p, gap ) )
 	{
-		return p->count < SOLE_MAX_REST_POINTS ? soleBit( p->count ) - 1u : ~0u;
+		return soleFirst( p->count );
 	}
 	soleJoinLevels( p, gap, levels );
 	int32_t highest = 0;
@@ -102,16 +127,15 @@ uint32_t soleFindHighestLevel( const soleRestPoints* p, float gap )
 static int32_t soleList( uint32_t set, int32_t list[SOLE_MAX_REST_POINTS] )
 {
 	int32_t count = 0;
-	for ( int32_t i = 0; set != 0; ++i, set >>= 1 )
+	for ( ; set != 0; set &= set - 1u )
 	{
-		list[count] = i;
-		count += (int32_t)( set & 1u );
+		list[count++] = (int32_t)soleGetLowestBit( set );
 	}
 	return count;
 }
 
 /// The plane through three points if their triangle holds the load point (the origin).
-static bool soleFitTriangle( const soleRestPoints* p, int32_t i, int32_t j, int32_t k, float area, soleFit* fit )
+SOLE_INLINE bool soleFitTriangle( const soleRestPoints* p, int32_t i, int32_t j, int32_t k, float area, soleFit* fit )
 {
 	float u = p->u[i], v = p->v[i], h = p->h[i];
 	float bu = p->u[j] - u, bv = p->v[j] - v, cu = p->u[k] - u, cv = p->v[k] - v;
@@ -198,14 +222,21 @@ static bool soleFindTriangle(
 /// The point of a set that is highest over a plane. @return SOLE_NONE: none is over it
 static int32_t soleFindOver( const soleRestPoints* p, uint32_t set, const soleFit* fit )
 {
+	float overs[SOLE_MAX_REST_POINTS];
+	uint32_t above = 0;
+	for ( int32_t i = 0; i < p->count; i += SOLE_WIDTH )
+	{
+		soleWide over = soleWide_Sub( soleWide_Load( p->h + i ), soleGetFitHeights( p, i, fit ) );
+		soleWide_Store( overs + i, over );
+		above |= soleWide_GetBits( soleWide_Less( soleWide_Set( 0.0f ), over ) ) << i;
+	}
 	int32_t highest = SOLE_NONE;
 	float most = 0.0f;
-	for ( int32_t i = 0; i < p->count; ++i )
+	for ( above &= set; above != 0; above &= above - 1u )
 	{
-		float over = p->h[i] - ( fit->c + fit->gu * p->u[i] + fit->gv * p->v[i] );
-		float counts = soleHas( set, i ) ? over : 0.0f;
-		highest = counts > most ? i : highest;
-		most = soleMaxF( counts, most );
+		int32_t i = (int32_t)soleGetLowestBit( above );
+		highest = overs[i] > most ? i : highest;
+		most = soleMaxF( overs[i], most );
 	}
 	return highest;
 }
@@ -214,12 +245,13 @@ static int32_t soleFindOver( const soleRestPoints* p, uint32_t set, const soleFi
 /// there, or turns about it.
 static bool soleExchange( const soleRestPoints* p, int32_t point, float area, int32_t corners[3], soleFit* fit )
 {
+	const int32_t around[5] = { corners[0], corners[1], corners[2], corners[0], corners[1] };
 	soleFit best = *fit;
 	int32_t leaving = SOLE_NONE;
 	for ( int32_t i = 0; i < 3; ++i )
 	{
 		soleFit other;
-		bool holds = soleFitTriangle( p, point, corners[( i + 1 ) % 3], corners[( i + 2 ) % 3], area, &other );
+		bool holds = soleFitTriangle( p, point, around[i + 1], around[i + 2], area, &other );
 		if ( holds && ( leaving == SOLE_NONE ? other.c >= best.c : other.c > best.c ) )
 		{
 			best = other;
@@ -295,13 +327,11 @@ soleFit soleFitResting( const soleRestPoints* p, uint32_t set, bool line, float 
 void soleTouch( const soleRestPoints* p, uint32_t set, soleFit* fit )
 {
 	bool first = true;
-	for ( int32_t i = 0; i < p->count; ++i )
+	for ( ; set != 0; set &= set - 1u )
 	{
-		if ( soleHas( set, i ) )
-		{
-			float c = p->h[i] - fit->gu * p->u[i] - fit->gv * p->v[i];
-			fit->c = first || c > fit->c ? c : fit->c;
-			first = false;
-		}
+		int32_t i = (int32_t)soleGetLowestBit( set );
+		float c = p->h[i] - fit->gu * p->u[i] - fit->gv * p->v[i];
+		fit->c = first || c > fit->c ? c : fit->c;
+		first = false;
 	}
 }

@@ -5,14 +5,19 @@
 
 #include "place/place.h"
 
-#define SOLE_MAX_REST_POINTS SOLE_MAX_PROBES_PER_LEG
+#define SOLE_WIDTH 4
+#include "base/simd.h"
 
-/// Samples in the foot's own frame, around the load point. Subsets are bits, one a point.
+#define SOLE_MAX_REST_POINTS SOLE_MAX_PROBES_PER_LEG // a multiple of the width
+
+/// Samples in the foot's own frame, around the load point. Subsets are bits, one a point. Points are also looked at
+/// four at once: copies of the first fill up the last four.
 typedef struct soleRestPoints
 {
-	float u[SOLE_MAX_REST_POINTS]; // ahead
-	float v[SOLE_MAX_REST_POINTS]; // to the side
-	float h[SOLE_MAX_REST_POINTS]; // up
+	float u[SOLE_MAX_REST_POINTS];    // ahead
+	float v[SOLE_MAX_REST_POINTS];    // to the side
+	float h[SOLE_MAX_REST_POINTS];    // up
+	float fore[SOLE_MAX_REST_POINTS]; // 1 ahead of the ball line, else 0
 	const soleGroundSample* samples[SOLE_MAX_REST_POINTS];
 	int32_t count;
 	uint32_t ahead; // of the ball line
@@ -40,14 +45,26 @@ static inline uint32_t soleBit( int32_t i )
 	return 1u << i;
 }
 
+/// The first so many.
+static inline uint32_t soleFirst( int32_t count )
+{
+	return count < 32 ? soleBit( count ) - 1u : ~0u;
+}
+
 static inline int32_t soleCount( uint32_t set )
 {
-	int32_t count = 0;
-	for ( ; set != 0; set &= set - 1u )
-	{
-		++count;
-	}
-	return count;
+	// Bits side by side are added up: pairs, fours, bytes, then all bytes into the highest.
+	set -= set >> 1 & 0x55555555u;
+	set = ( set & 0x33333333u ) + ( set >> 2 & 0x33333333u );
+	return (int32_t)( ( ( set + ( set >> 4 ) ) & 0x0f0f0f0fu ) * 0x01010101u >> 24 );
+}
+
+/// Heights of a plane at four points from the i-th on.
+static inline soleWide soleGetFitHeights( const soleRestPoints* p, int32_t i, const soleFit* fit )
+{
+	soleWide c =
+	    soleWide_Add( soleWide_Set( fit->c ), soleWide_Mul( soleWide_Set( fit->gu ), soleWide_Load( p->u + i ) ) );
+	return soleWide_Add( c, soleWide_Mul( soleWide_Set( fit->gv ), soleWide_Load( p->v + i ) ) );
 }
 
 /// The level that has the highest point under the sole.
