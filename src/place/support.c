@@ -38,6 +38,15 @@ static bool soleReadHit(
 	return over < reach && over > -reach;
 }
 
+/// Something was met, or asked for.
+static bool soleWasCast( const soleHit* hit )
+{
+	uint32_t asked[3];
+	memcpy( asked, &hit->asked_w, sizeof asked );
+	// Zero of either sign: no bit is set but the highest.
+	return hit->hit || ( asked[0] | asked[1] | asked[2] ) << 1 != 0;
+}
+
 static void soleReadSamples(
     const solePlaceWork* work, soleLegWork* leg, const soleHit* hits, int32_t hitCount, float minimumUp )
 {
@@ -46,9 +55,9 @@ static void soleReadSamples(
 	for ( int32_t i = 0; i < hitCount; ++i )
 	{
 		const soleHit* hit = hits + i;
-		if ( hit->hit == false && hit->asked_w.x == 0.0f && hit->asked_w.y == 0.0f && hit->asked_w.z == 0.0f )
+		if ( soleWasCast( hit ) == false )
 		{
-			continue; // was not cast
+			continue;
 		}
 		soleVec3 asked = soleVec3_IsFinite( hit->asked_w ) ? hit->asked_w : hit->point_w;
 		soleGroundSample* sample = leg->samples + leg->sampleCount;
