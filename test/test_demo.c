@@ -212,7 +212,7 @@ static void theDemoHasTheSameBits( void** state )
 		hash = testHashQuat( hash, take.result.output[i].rotation );
 	}
 	testCloseTake( &take );
-	testCheckHash( "the demo", hash, 0xa541b4fa69f223acull );
+	testCheckHash( "the demo", hash, 0xdab99f582a9a95ecull );
 }
 
 // A turn about x whose angle's quarter has this tangent: no trigonometry.
@@ -321,7 +321,7 @@ static void theLibraryHasTheSameBits( void** state )
 	soleDestroyRig( biped.rig );
 	// It is a walk.
 	assert_in_range( planted, frames / 5, frames * 4 / 5 );
-	testCheckHash( "the library", hash, 0xece95f76699d7132ull );
+	testCheckHash( "the library", hash, 0xb867f6aaf2598d13ull );
 }
 
 int main( void )
