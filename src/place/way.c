@@ -2,12 +2,14 @@
 // Way: from the plane on which the foot stood to the one on which it will, the height of the ground under it goes
 // along the chord between both places, by the share s of the way that it has come (by the share of the time where both
 // are close together), lifted over what lies between by a smoothed upper hull; the slope goes over smoothly with time.
-// On an even slope that is the slope itself.
+// On an even slope that is the slope itself. A foot whose heel strikes goes on a little with its ball: its way is over
+// when it strikes, or the heel would still be high over a step down.
 #include "place/way.h"
 
 #include <float.h>
 
 #define BY_TIME 0.25f     // L: a step shorter than this goes by time
+#define LATE 0.85f        // share of the time from which on the way comes to its end
 #define NEAR_END 0.06f    // share of the way near its ends in which nothing can be cleared any more
 #define STANDS_OUT 0.033f // L over both ends: a narrow thing, no stair
 #define MOST_MORE 1.6f    // by this much the smoothed hull may be raised
@@ -45,6 +47,7 @@ static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, 
 	float byTime = soleShareOfTime( leg );
 	float byWay =
 	    soleSaturate( soleDot( soleSub( place, way->from ), d ) / soleMaxF( length2, 1e-4f * least * least ) );
+	byWay += ( 1.0f - byWay ) * soleSmoothly( soleSaturate( ( byTime - LATE ) / ( 1.0f - LATE ) ) );
 	return byTime + soleSaturate( soleSqrtF( length2 ) / least ) * ( byWay - byTime );
 }
 
