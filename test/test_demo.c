@@ -33,11 +33,11 @@ enum
 };
 
 static const testFigure testFigures[test_figureCount] = {
-	{ "penetration p95, mm", 100.3, 4.351 },
-	{ "hover p95, mm", 34.75, 0.6511 },
-	{ "slide, cm/s", 3.018, 0.3088 },
-	{ "knee acceleration RMS, ratio to flat ground", 1.000, 1.333 },
-	{ "pelvis, largest step of a frame, mm", 173.0, 18.77 },
+	{ "penetration p95, mm", 100.3, 4.361 },
+	{ "hover p95, mm", 34.75, 0.03654 },
+	{ "slide, cm/s", 3.018, 0.3284 },
+	{ "knee acceleration RMS, ratio to flat ground", 1.000, 1.351 },
+	{ "pelvis, largest step of a frame, mm", 173.0, 17.93 },
 };
 
 // Gates of the demo, whatever the table says.
@@ -212,7 +212,7 @@ static void theDemoHasTheSameBits( void** state )
 		hash = testHashQuat( hash, take.result.output[i].rotation );
 	}
 	testCloseTake( &take );
-	testCheckHash( "the demo", hash, 0x955b0bf6276a7253ull );
+	testCheckHash( "the demo", hash, 0x23bfc16fd5bc9e34ull );
 }
 
 // A turn about x whose angle's quarter has this tangent: no trigonometry.
@@ -321,7 +321,7 @@ static void theLibraryHasTheSameBits( void** state )
 	soleDestroyRig( biped.rig );
 	// It is a walk.
 	assert_in_range( planted, frames / 5, frames * 4 / 5 );
-	testCheckHash( "the library", hash, 0x71286371554bb5bfull );
+	testCheckHash( "the library", hash, 0xf693b8e412ca2998ull );
 }
 
 int main( void )

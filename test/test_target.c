@@ -57,6 +57,51 @@ static void aHeelThatIsMeantToBeUpStaysUp( void** state )
 	testEndRun( &run );
 }
 
+/// Turns the left foot up about its heel by an angle, the ankle with it.
+static void raiseToes( testRun* run, float angle )
+{
+	soleVec3 heel = soleRig_GetLeg( run->biped.rig, 0 ).sole.heel;
+	soleVec3 ankle = testJoint( &run->biped, run->pose, soleTransform_Identity(), biped_ankleL ).translation;
+	float over = ankle.y - heel.y, ahead = ankle.z - heel.z;
+	float up = over * cosf( angle ) + ahead * sinf( angle );
+	float hip = run->pose[biped_pelvis].translation.y - 0.02f;
+	testPutAnkle( run->pose, biped_hipL, hip - up, heel.z + ahead * cosf( angle ) - over * sinf( angle ) );
+	soleQuat foot = run->pose[biped_ankleL].rotation;
+	run->pose[biped_ankleL].rotation = soleMulQuat( foot, testTurn( soleVec( 1.0f, 0.0f, 0.0f ), -angle ) );
+}
+
+/// Stands on its left heel, toes up, on ground that rises steeply ahead.
+/// @return where the heel is, seen from the root
+static soleVec3 standOnHeel( testRun* run, float dorsiflexion )
+{
+	testStartRun( run, 0.6f );
+	soleDestroyRig( run->biped.rig );
+	soleRigDef def = testBipedDef( &run->biped );
+	def.legs[0].ankleLimits.dorsiflexion = dorsiflexion;
+	assert_int_equal( soleCreateRig( &def, NULL, &run->biped.rig, NULL ), sole_success );
+	run->ground.slopeZ = 0.6f;
+	raiseToes( run, 0.3f );
+	soleContactInput contacts[2] = { { 1.0f, 0.0f }, { 1.0f, 1.0f } };
+	run->frame.contact = contacts;
+	testStepSeconds( run, 0.5f );
+	assert_true( ( run->out.legs[0].flags & (uint32_t)sole_legPlanted ) != 0 );
+	return testPlacedPoint( run, 0, soleRig_GetLeg( run->biped.rig, 0 ).sole.heel, false );
+}
+
+/// What an ankle cannot do turns the foot: about its heel, if it stands on that. It went 14 mm down the slope.
+static void aHeelStaysWhereItIsHeldWhenItsAnkleIsAtItsLimit( void** state )
+{
+	(void)state;
+	static testRun run;
+	soleVec3 free = standOnHeel( &run, 1.5f );
+	assert_true( ( run.out.legs[0].flags & (uint32_t)sole_legAnkleClamped ) == 0 );
+	testEndRun( &run );
+	soleVec3 limited = standOnHeel( &run, 0.8f );
+	assert_true( ( run.out.legs[0].flags & (uint32_t)sole_legAnkleClamped ) != 0 );
+	testNear3( limited, free, 2e-3f );
+	testEndRun( &run );
+}
+
 static void itComesAndGoesSmoothly( void** state )
 {
 	(void)state;
@@ -87,6 +132,7 @@ int main( void )
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test( aHeelThatItsClipLeavesOffTheFloorIsPutDown ),
 		cmocka_unit_test( aHeelThatIsMeantToBeUpStaysUp ),
+		cmocka_unit_test( aHeelStaysWhereItIsHeldWhenItsAnkleIsAtItsLimit ),
 		cmocka_unit_test( itComesAndGoesSmoothly ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );

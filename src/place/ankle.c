@@ -5,16 +5,17 @@
 // trigonometry, into pitch about the side axis, roll about the forward axis, a small rest, and twist about the up axis;
 // the halves of pitch, roll and twist are clamped, and the parts put together again. Each limit is widened to what the
 // animation does itself. What the ankle cannot do becomes a new target: the foot stands on whatever part of its sole is
-// lowest then, at the height that was wanted of the lowest part. Shins sway over feet that stand, and a foot at its
-// limit would rock along: so while all stand, what the limits turn a foot by stays as it is while it is right within
-// PLAY, as in a worn joint.
+// lowest then, at the height that was wanted of the lowest part, and keeps the place of its heel while it stands on
+// that, of its ball else. Shins sway over feet that stand, and a foot at its limit would rock along: so while all
+// stand, what the limits turn a foot by stays as it is while it is right within PLAY, as in a worn joint.
 //
 // Toes. They go where the animated toes go on the plane (so they stay flat while the heel is raised), plus the slope of
 // the ground in front of the ball, as far as their limits let them; up at once, for the ground pushes them, and down
 // with the foot's contact. Toes that the clip has under its floor are bent up to it.
 #include "place/parts.h"
 
-#define PLAY 0.024f // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
+#define ON_HEEL 0.03f // L: a ball that is animated this much higher than the heel bears nothing
+#define PLAY 0.024f   // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
 
 typedef struct soleAnkleTurn
 {
@@ -117,12 +118,18 @@ static soleQuat soleBendToe( const solePlaceWork* work, const soleLegWork* leg, 
 
 // ------------------------------------------------------------------------------------------------- range of motion
 
+/// The heel as seen from the pivot, of a foot that is turned like this.
+static soleVec3 soleHeelArm( const soleLegWork* leg, soleQuat foot )
+{
+	return soleRotate( foot, soleMul( leg->foot.scale, soleSub( leg->rig->heel, leg->rig->pivot ) ) );
+}
+
 /// Height, over the pivot and along a normal, of the lowest point of a sole that is turned like this, its toes bent as
 /// they will be.
 static float soleLowestPoint( const solePlaceWork* work, const soleLegWork* leg, soleQuat foot, soleVec3 normal )
 {
 	const soleRigLeg* rig = leg->rig;
-	float heel = soleDot( soleRotate( foot, soleMul( leg->foot.scale, soleSub( rig->heel, rig->pivot ) ) ), normal );
+	float heel = soleDot( soleHeelArm( leg, foot ), normal );
 	bool bends = rig->toeSlot != SOLE_NONE;
 	soleQuat fore = bends ? soleBendToe( work, leg, foot ) : foot;
 	soleVec3 from = bends ? soleVec( 0.0f, 0.0f, 0.0f ) : rig->pivot;
@@ -136,14 +143,26 @@ static float soleLowestPoint( const solePlaceWork* work, const soleLegWork* leg,
 	return lowest;
 }
 
+/// Does a foot stand on its heel, 0 to 1: one that is held by it, or comes down with its ball over it.
+static float soleIsOnHeel( const soleLegWork* leg )
+{
+	if ( ( leg->state->flags & sole_stateLocked ) != 0 )
+	{
+		return ( leg->state->flags & sole_stateByHeel ) != 0 ? 1.0f : 0.0f;
+	}
+	return soleSmoothly( soleSaturate( ( leg->ballRise - leg->heelRise ) / ( ON_HEEL * leg->length ) ) );
+}
+
 /// Sets the targets of a foot that was turned from `wanted` to `turned`: its lowest point stays as high as it was
-/// wanted, its pivot where it was along the ground.
+/// wanted; along the ground its pivot stays where it was, or its heel if it stands on that.
 static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat wanted, soleQuat turned )
 {
 	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->pivotTarget ) );
 	soleVec3 normal = leg->out->planeNormal_w;
 	float raise = soleLowestPoint( work, leg, wanted, normal ) - soleLowestPoint( work, leg, turned, normal );
-	leg->pivotTarget = soleMulAdd( leg->pivotTarget, raise, normal );
+	soleVec3 back = soleSub( soleHeelArm( leg, wanted ), soleHeelArm( leg, turned ) );
+	back = soleScale( soleIsOnHeel( leg ), soleMulAdd( back, -soleDot( back, normal ), normal ) );
+	leg->pivotTarget = soleMulAdd( soleAdd( leg->pivotTarget, back ), raise, normal );
 	leg->ankleTarget = soleAdd( leg->pivotTarget, soleRotate( turned, arm ) );
 	leg->footTarget = turned;
 }

@@ -201,6 +201,7 @@ static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 	{
 		state->stepLift[i] = state->stepOver[i] = 0.0f; // what is known is of the last step
 	}
+	state->stepLead = 0.0f;
 }
 
 /// Over what was met, and over what narrow things were met before.
@@ -249,6 +250,7 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	}
 	leg->planned = true;
 	leg->hasGround = true;
+	state->stepTime = soleShareOfTime( leg );
 	soleWay way = soleRememberWay( work, leg );
 	leg->stepPlace = way.to;
 	leg->stepNormal = state->stepNormal_w;
@@ -256,6 +258,8 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	if ( settled == false && leg->sampleCount > 0 )
 	{
 		soleLiftStep( work, leg, &way, news );
+		bool before = news && soleShareOfTime( leg ) < SOLE_LEAD_FROM;
+		state->stepLead = before ? soleFindLead( work, leg, &way ) : state->stepLead;
 	}
 	leg->raw = soleFollowWay( work, leg, &way, leg->soleCenter );
 	leg->out->flags |= (uint32_t)sole_legPlanned;

@@ -173,7 +173,9 @@ void soleFollowGround( solePlaceWork* work, soleLegWork* leg )
 	{
 		soleComeDown( work, leg, ( flags & foreseen ) != 0 );
 	}
-	leg->raw.point = soleMulAdd( leg->raw.point, soleFindObstacle( work, leg ), work->up );
+	// What is ahead of a foot that has come down is no obstacle any more.
+	bool passes = leg->touches == false && ( flags & foreseen ) == 0;
+	leg->raw.point = soleMulAdd( leg->raw.point, passes ? soleFindObstacle( work, leg ) : 0.0f, work->up );
 	soleVec3 place = soleStandPlace( work, leg );
 	place = soleAtHeight( work, place, solePlaneHeight( work, leg->raw, place ) );
 	state->planePoint_w = soleAdd( place, work->root_w );

@@ -4,11 +4,11 @@
 // A foot in contact is held by one point of its sole, the anchor: the heel from heel strike on, the ball from the
 // moment the toe is down. The point is held where the foot was, not where the animation is.
 //   free:    anchor's place = animated place + slide        slide decays to 0: the way back to the animation
-//   planned: the same                                       slide comes to rest where the step is to land, when it does
+//   planned: the same, and a lead near the way's end       slide comes to rest where the step is to land, when it does
 //   locked:  anchor's place = lockPoint + slide             slide decays to 0: what was left of the foot's motion
 // At each change lockPoint and slide are set so that place and velocity go on unbroken; nothing is low-passed, so a
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
-#include "place/place.h"
+#include "place/way.h"
 
 #define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
 #define PATIENCE 2.0f // times the strain at which a lock is given up, while the foot waits to step over
@@ -109,7 +109,10 @@ static void soleGoFree( solePlaceWork* work, soleLegWork* leg )
 	soleLetSlide( work, leg, work->timeStep );
 	state->turn = soleDecayOffset1( state->turn, work->settings->contact.releaseHalfLife, work->timeStep );
 	leg->turn = soleHalfRotation( work->up, soleHalfFromQuarterTan( state->turn.value ) );
-	leg->anchorGoal = soleAdd( soleAnimatedPlace( work, leg ), state->slide.value );
+	// A foot that was ahead of the animation and has lost its way is no nearer to it.
+	state->slide.value = leg->planned ? state->slide.value : soleAdd( state->slide.value, state->lead );
+	state->lead = leg->planned ? soleLeadWay( work, leg ) : soleVec( 0.0f, 0.0f, 0.0f );
+	leg->anchorGoal = soleAdd( soleAnimatedPlace( work, leg ), soleAdd( state->slide.value, state->lead ) );
 }
 
 /// Begins to hold the foot where it is.

@@ -200,7 +200,10 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 	else if ( near || soleIsStanding( work ) || state->pelvisHeldTime > hold )
 	{
 		float halfLife = s->pelvis.release * ( soleIsStanding( work ) ? 0.25f : 1.0f );
-		float left = halfLife > 0.0f ? soleExpNegative( LN_2 * work->timeStep / halfLife ) : 0.0f;
+		// It may have been kept for a part of this frame.
+		bool since = near == false && soleIsStanding( work ) == false;
+		float time = since ? soleMinF( state->pelvisHeldTime - hold, work->timeStep ) : work->timeStep;
+		float left = halfLife > 0.0f ? soleExpNegative( LN_2 * time / halfLife ) : 0.0f;
 		state->pelvisHeld = goal + ( state->pelvisHeld - goal ) * left;
 	}
 	return state->pelvisHeld;

@@ -2,15 +2,27 @@
 // Way: from the plane on which the foot stood to the one on which it will, the height of the ground under it goes
 // along the chord between both places, by the share s of the way that it has come (by the share of the time where both
 // are close together), lifted over what lies between by a smoothed upper hull; the slope goes over smoothly with time.
-// On an even slope that is the slope itself.
+// On an even slope that is the slope itself. A foot whose heel strikes goes on a little with its ball: its way is over
+// when it strikes, or the heel would still be high over a step down.
+//
+// Where a foot comes down right behind an edge, as on the way down stairs, no lift would spare its heel that: it would
+// have to drop from there. So it goes ahead of the animation in the second half of its flight, by a share of what is
+// left of its way, and comes down more steeply; the animation catches up by the end.
 #include "place/way.h"
 
 #include <float.h>
 
 #define BY_TIME 0.25f     // L: a step shorter than this goes by time
+#define LATE 0.85f        // share of the time from which on the way comes to its end
 #define NEAR_END 0.06f    // share of the way near its ends in which nothing can be cleared any more
 #define STANDS_OUT 0.033f // L over both ends: a narrow thing, no stair
 #define MOST_MORE 1.6f    // by this much the smoothed hull may be raised
+#define BESIDE 0.06f      // L
+#define LEAD 0.6f         // share of what is left of its way that a foot is ahead by
+#define LEAD_LOW 0.03f    // L: an edge so much over the landing asks for none of it
+#define LEAD_HIGH 0.12f   // L: for all of it
+#define LEAD_TIME 0.33f   // share of the time in which it comes
+#define LEAD_END 0.88f    // from which on it goes
 
 soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal )
 {
@@ -33,8 +45,12 @@ soleWay soleRememberWay( const solePlaceWork* work, const soleLegWork* leg )
 float soleShareOfTime( const soleLegWork* leg )
 {
 	float whole = leg->stepInput.since + leg->stepInput.until;
-	// A foot that has come down has gone the whole way.
-	return leg->foreseen == false ? 1.0f : ( whole > 0.0f ? leg->stepInput.since / whole : 1.0f );
+	if ( leg->foreseen )
+	{
+		return whole > 0.0f ? leg->stepInput.since / whole : 1.0f;
+	}
+	// A foot that has come down has gone the whole way; one that has lost it is where it was.
+	return leg->touches ? 1.0f : leg->state->stepTime;
 }
 
 static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place )
@@ -45,6 +61,7 @@ static float soleShareOfWay( const solePlaceWork* work, const soleLegWork* leg, 
 	float byTime = soleShareOfTime( leg );
 	float byWay =
 	    soleSaturate( soleDot( soleSub( place, way->from ), d ) / soleMaxF( length2, 1e-4f * least * least ) );
+	byWay += ( 1.0f - byWay ) * soleSmoothly( soleSaturate( ( byTime - LATE ) / ( 1.0f - LATE ) ) );
 	return byTime + soleSaturate( soleSqrtF( length2 ) / least ) * ( byWay - byTime );
 }
 
@@ -80,7 +97,6 @@ typedef struct soleClearance
 	float lift;
 } soleClearance;
 
-#define BESIDE 0.06f // L
 #define MAX_CLEARANCES ( 3 * SOLE_MAX_PROBES_PER_LEG + 2 )
 
 /// How far the way has to be lifted so that neither heel, ball nor toes meet what lies between its ends.
@@ -122,6 +138,43 @@ static int32_t soleFindClearances(
 		}
 	}
 	return count;
+}
+
+/// What the heel would meet at the end of the way, where nothing is lifted any more: the edge that it comes down
+/// behind. Over the chord and the plane that it comes down on, highest.
+static float soleFindHindrance( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way )
+{
+	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
+	float length2 = soleDot( d, d );
+	soleVec3 heel = soleScale( -leg->rig->heelBehind * work->rootScale, leg->landingForward );
+	float under = soleDot( way->toGradient, heel );
+	float highest = 0.0f;
+	for ( int32_t i = 0; i < leg->sampleCount && length2 > BY_TIME * BY_TIME * leg->length * leg->length; ++i )
+	{
+		const soleGroundSample* sample = leg->samples + i;
+		soleVec3 ball = soleSub( soleSub( sample->place, way->from ), heel );
+		float s = soleDot( ball, d ) / length2;
+		float aside = soleLength( soleHorizontal( work, soleMulAdd( ball, -s, d ) ) );
+		bool meets = sample->found && s > 1.0f - 2.0f * NEAR_END && s < 1.0f && aside < BESIDE * leg->length;
+		float chord = soleDot( soleLerp( way->from, way->to, s ), work->up ) + under;
+		float plane = soleDot( way->to, work->up ) + soleDot( way->toGradient, soleSub( sample->place, way->to ) );
+		highest = soleMaxF( highest, meets ? sample->height - soleMaxF( chord, plane ) : 0.0f );
+	}
+	return highest;
+}
+
+float soleFindLead( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way )
+{
+	float over = soleFindHindrance( work, leg, way ) / leg->length;
+	return LEAD * soleSmoothly( soleSaturate( ( over - LEAD_LOW ) / ( LEAD_HIGH - LEAD_LOW ) ) );
+}
+
+soleVec3 soleLeadWay( const solePlaceWork* work, const soleLegWork* leg )
+{
+	float time = soleShareOfTime( leg );
+	float lead = soleSmoothly( soleSaturate( ( time - SOLE_LEAD_FROM ) / LEAD_TIME ) );
+	lead *= leg->state->stepLead * ( 1.0f - soleSmoothly( soleSaturate( ( time - LEAD_END ) / ( 1.0f - LEAD_END ) ) ) );
+	return soleScale( lead, soleHorizontal( work, soleSub( leg->landing, leg->anchor ) ) );
 }
 
 /// Height of the upper hull of all clearances at a share.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The way of a foot in flight from one foothold to the next, and the plane that it follows there. A kernel of the stage
-// that chooses footholds.
+// The way of a foot in flight from one foothold to the next, and the plane that it follows there. A kernel of the
+// stages that choose footholds and hold feet.
 #ifndef SOLE_PLACE_WAY_H
 #define SOLE_PLACE_WAY_H
 
 #include "place/place.h"
+
+#define SOLE_LEAD_FROM 0.55f // share of the time until which a foot goes as the animation does
 
 /// From where to where, and how far along.
 typedef struct soleWay
@@ -20,7 +22,7 @@ typedef struct soleWay
 soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal );
 /// The way as the state has it.
 soleWay soleRememberWay( const solePlaceWork* work, const soleLegWork* leg );
-/// Share of the flight's time that is over; 1 where it is not foreseen.
+/// Share of the flight's time that is over; that of the last frame where it is foreseen no more.
 float soleShareOfTime( const soleLegWork* leg );
 /// The plane at a place on the way.
 solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, soleVec3 place );
@@ -29,5 +31,10 @@ void soleFindLift( const solePlaceWork* work, const soleLegWork* leg, const sole
 /// The same where all that the samples have met between those asked for with the foothold is narrow things: what stands
 /// out over both ends.
 void soleFindNarrowLift( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way, float lift[3] );
+/// How far a foot has to be ahead of the animation near its way's end, as a share of what is left of that: where it
+/// comes down behind an edge, its heel would go through that.
+float soleFindLead( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way );
+/// By how much it is ahead, horizontal.
+soleVec3 soleLeadWay( const solePlaceWork* work, const soleLegWork* leg );
 
 #endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The ground under feet that are not on their way, from outside: those that have come down stay down.
+#include "test.h"
+
+#include "scene_actor.h"
+#include "scene_meter.h"
+
+#include <math.h>
+
+#define RISE 0.17f // of T02
+
+/// Ground that a foot's toes would be over soon raises a foot that passes over it. This one comes down before the first
+/// riser, which raised it by 38 mm for four frames, and the pelvis by 16.
+static void aFootThatComesDownBeforeARiserDoesNotHop( void** state )
+{
+	(void)state;
+	testWorld world;
+	static testRun run;
+	testOpenWorld( "T02", &world );
+	testPlay( &s_actor, &world, soleFindAct( "T02", "1.40 stepped" ), 0, 60.0, &run );
+	float highest = 0.0f, pelvis = 0.0f;
+	int32_t down = 0;
+	for ( int32_t i = 0; i < run.frameCount && run.times[i] < 0.6; ++i )
+	{
+		static testBodyPose in;
+		static testBodyPose out;
+		testFindBody( &run, i, run.input, &in );
+		testFindBody( &run, i, run.output, &out );
+		bool strike = run.times[i] > 0.45;
+		highest = strike ? fmaxf( highest, out.legs[1].sole[0].y ) : highest;
+		pelvis = strike ? fmaxf( pelvis, out.pelvis.translation.y - in.pelvis.translation.y ) : pelvis;
+		down += ( run.flags[2 * i + 1] & (uint32_t)sole_legPlanted ) != 0 ? 1 : 0;
+	}
+	assert_true( down > 3 );
+	assert_true( highest < 0.012f );
+	assert_true( pelvis < 0.012f );
+	testFreeRun( &run );
+	testCloseWorld( &world );
+}
+
+/// The ball of a foot whose heel strikes goes on a little: by as much of the way its heel was still over the tread
+/// below.
+static void heelsThatStrikeOnTheWayDownStandOnTheirTreads( void** state )
+{
+	(void)state;
+	testWorld world;
+	static testRun run;
+	testOpenWorld( "T02", &world );
+	testPlay( &s_actor, &world, soleFindAct( "T02", "0.52 stepped" ), 0, 60.0, &run );
+	float worst = 0.0f;
+	int32_t planted = 0;
+	for ( int32_t i = 0; i < run.frameCount; ++i )
+	{
+		static testBodyPose out;
+		testFindBody( &run, i, run.output, &out );
+		for ( int32_t leg = 0; leg < 2 && run.roots[i].translation.z > 6.3f; ++leg )
+		{
+			const soleVec3* sole = out.legs[leg].sole;
+			float lowest = fminf( fminf( sole[0].y, sole[1].y ), sole[2].y );
+			bool down = ( run.flags[2 * i + leg] & (uint32_t)sole_legPlanted ) != 0;
+			planted += down ? 1 : 0;
+			worst = down ? fmaxf( worst, fabsf( lowest - RISE * roundf( lowest / RISE ) ) ) : worst;
+		}
+	}
+	assert_true( planted > 500 );
+	assert_true( worst < 2e-3f );
+	testFreeRun( &run );
+	testCloseWorld( &world );
+}
+
+int main( void )
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test( aFootThatComesDownBeforeARiserDoesNotHop ),
+		cmocka_unit_test( heelsThatStrikeOnTheWayDownStandOnTheirTreads ),
+	};
+	return cmocka_run_group_tests( tests, setup, teardown );
+}
