@@ -176,11 +176,14 @@ void soleSetUpFrame( solePlaceWork* work )
 	}
 	work->angles = soleTakeAngles( work->settings );
 	work->second = frame->secondPose != NULL ? work->state->second.value : 0.0f;
+	memset( work->legs, 0, (size_t)work->legCount * sizeof work->legs[0] );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		soleLegWork* leg = work->legs + i;
-		*leg = ( soleLegWork ){ .rig = work->rig->legs + i, .state = work->state->legs + i, .index = i };
+		leg->rig = work->rig->legs + i;
+		leg->state = work->state->legs + i;
 		leg->out = work->out->legs + i;
+		leg->index = i;
 		leg->contactInput = ( soleContactInput ){ -1.0f, -1.0f };
 		if ( frame->contact != NULL && soleIsFinite( frame->contact[i].heel + frame->contact[i].toe ) )
 		{
