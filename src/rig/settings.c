@@ -171,7 +171,8 @@ void soleSettings_Set( soleSettings* settings, const soleSettingInfo* info, doub
 }
 
 /// A word as an integer: floats in their order, minus zero right under zero, what is no number outside of all of them.
-/// An integer below zero stays below zero, which is all that is asked of it: none may be.
+/// An integer below zero stays below zero, which is all that is asked: an enumerator may not be, a mask may be
+/// anything.
 static inline int32_t soleOrderWord( uint32_t bits )
 {
 	uint32_t magnitude = ( 0u - ( bits >> 31 ) ) >> 1; // all bits but the highest where that is set
