@@ -510,6 +510,7 @@ typedef struct soleLegState
 	float chosenOver;       // how far its plane is over what is met under it
 	float stepLift[3];      // by how much its way is lifted over what lies between, at 1/4, 1/2 and 3/4
 	float stepOver[3];      // the same over narrow things alone, as far as they were met
+	float heelLift;         // how far the heel is lifted for the leg to reach, sine of half the angle
 	float stepTime;         // share of its flight's time that is over
 	float stepLead;         // share of what is left of its way that a foot comes to be ahead of the animation by
 	soleVec3 lead;          // by how much it is

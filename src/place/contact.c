@@ -7,6 +7,8 @@
 #include "place/place.h"
 
 #define SETTLED 1e3f // s: longer than any setting
+#define LOWER 0.025f // s, half-life of a heel lift that a foot in flight needs no more
+#define LN_2 0.6931472f
 
 /// What decides whether a part of the foot is down.
 typedef struct soleContactLimits
@@ -88,7 +90,8 @@ static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 	state->flags |= toeOn ? (uint32_t)sole_stateToeOn : 0u;
 }
 
-static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg )
+/// Fades a foot's weight, and what its heel is still lifted by.
+static void soleFadePlanted( const solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	bool down = leg->touches && ( leg->hasGround || ( state->flags & sole_stateGround ) != 0 );
@@ -111,6 +114,8 @@ static void soleFadePlantWeight( const solePlaceWork* work, soleLegWork* leg )
 	{
 		state->plantWeight = soleMaxF( state->plantWeight - step, goal );
 	}
+	bool lowers = down == false && work->first == false && state->heelLift > 0.0f;
+	leg->liftLeft = lowers ? state->heelLift * soleExpNegative( LN_2 * time / LOWER ) : 0.0f;
 }
 
 void soleUpdateContact( solePlaceWork* work )
@@ -123,7 +128,7 @@ void soleUpdateContact( solePlaceWork* work )
 			continue;
 		}
 		soleSenseContact( work, leg );
-		soleFadePlantWeight( work, leg );
+		soleFadePlanted( work, leg );
 		leg->out->plantWeight = leg->state->plantWeight;
 		soleLegState* state = leg->state;
 		state->animHeel_w = soleAdd( leg->heel, work->root_w );

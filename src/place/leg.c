@@ -26,7 +26,9 @@
 // a0 = ankle - B, w = hip - B, side axis e, the ankle's path is a circle; |w - a|^2 = l^2 gives the cosine c of its
 // angle to w's part in that plane:  c = ( ( |a0|^2 + |w|^2 - l^2 ) / 2 - a_e w_e ) / ( r |w_p| ). Where c comes near 1
 // the ankle is nearly on the line from ball to hip, and a little more distance takes ever more angle, endlessly fast:
-// the end is approached softly, as the leg's own is, and what is left then is the leg's.
+// the end is approached softly, as the leg's own is, and what is left then is the leg's. Once the foot has left, its
+// knee bends for the swing and the need is over at once; the heel is lowered smoothly then (contact.c has what is
+// left).
 #include "place/parts.h"
 
 #define EASE 0.15f // of the cosine of the heel lift
@@ -135,9 +137,9 @@ static float soleEaseEnd( float cosine )
 	return left < EASE ? 1.0f - EASE * soleExpNegative( soleMinF( ( EASE - left ) / EASE, 20.0f ) ) : cosine;
 }
 
-/// Rolls the foot about its ball, heel up, until the leg can be as long as `permitted` at most. Changes the ankle
-/// target and the foot.
-static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float permitted )
+/// How far the foot has to be rolled about its ball, heel up, for the leg to be no longer than `permitted`: sine of
+/// half the angle, at least 0.
+static float soleFindHeelLift( const solePlaceWork* work, const soleLegWork* leg, float permitted )
 {
 	soleVec3 a0 = soleSub( leg->ankleTarget, leg->pivotTarget );
 	soleVec3 w = soleSub( leg->hip, leg->pivotTarget );
@@ -151,7 +153,7 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 	float least = 1e-4f * leg->length;
 	if ( r < least || wl < least )
 	{
-		return;
+		return 0.0f;
 	}
 	float c = ( 0.5f * ( soleDot( a0, a0 ) + soleDot( w, w ) - permitted * permitted ) - ae * we ) / ( r * wl );
 	c = soleClampF( soleEaseEnd( c ), -1.0f, 1.0f );
@@ -167,16 +169,27 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 	// The nearer root is the one that the foot meets on its way. Positive turns about side raise the toes: where that
 	// is the way to the hip, lifting the heel is of no help.
 	soleHalf best = roots[0].s * roots[0].s <= roots[1].s * roots[1].s ? roots[0] : roots[1];
-	if ( !( best.s < 0.0f ) )
+	// A foot in flight needs no heel lift: it hangs short of its target instead. The limit comes and goes with contact.
+	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift * leg->state->plantWeight );
+	return soleClampF( -best.s, 0.0f, most.s );
+}
+
+/// Lifts the heel as far as the leg needs it, in flight as far as is left of what it needed before: knees that bend for
+/// a swing would let it drop at once, and foot and toes with it.
+static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float permitted )
+{
+	bool needs = leg->state->plantWeight > 0.0f && soleDistance( leg->hip, leg->ankleTarget ) > permitted;
+	float sine = soleMaxF( needs ? soleFindHeelLift( work, leg, permitted ) : 0.0f, leg->liftLeft );
+	leg->state->heelLift = sine;
+	if ( !( sine > 0.0f ) )
 	{
 		return;
 	}
-	// A foot in flight needs no heel lift: it hangs short of its target instead. The limit comes and goes with contact.
-	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift * leg->state->plantWeight );
-	best = best.s < -most.s ? ( soleHalf ){ most.c, -most.s } : best;
-	soleQuat roll = soleHalfRotation( side, best );
+	soleVec3 side = soleRotate( leg->footReached, leg->rig->footSide );
+	soleQuat roll = soleHalfRotation( side, ( soleHalf ){ soleSqrtF( 1.0f - sine * sine ), -sine } );
+	soleVec3 arm = soleSub( leg->ankleTarget, leg->pivotTarget );
 	leg->footReached = soleNormalizeQuat( soleMulQuat( roll, leg->footReached ) );
-	leg->ankleGoal = soleAdd( leg->pivotTarget, soleRotate( roll, a0 ) );
+	leg->ankleGoal = soleAdd( leg->pivotTarget, soleRotate( roll, arm ) );
 	leg->out->flags |= (uint32_t)sole_legHeelLifted;
 }
 
@@ -214,8 +227,7 @@ void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* 
 	leg->ankleGoal = leg->ankleTarget;
 	leg->footReached = leg->footTarget;
 	soleReach reach = soleGetReach( work, leg );
-	if ( leg->weight > 0.0f && leg->state->plantWeight > 0.0f &&
-	    soleDistance( leg->hip, leg->ankleTarget ) > reach.soft )
+	if ( leg->weight > 0.0f )
 	{
 		soleLiftHeel( work, leg, reach.soft );
 	}

@@ -162,6 +162,7 @@ typedef struct soleLegWork
 	soleVec3 ankleTarget;
 	soleQuat footTarget;
 	soleVec3 pivotTarget; // about which the heel is raised
+	float liftLeft;       // of the heel lift of a foot in flight, sine of half the angle
 
 	// leg
 	soleVec3 hip; // with the pelvis moved
