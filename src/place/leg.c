@@ -186,7 +186,7 @@ static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float per
 		return;
 	}
 	soleVec3 side = soleRotate( leg->footReached, leg->rig->footSide );
-	soleQuat roll = soleHalfRotation( side, ( soleHalf ){ soleSqrtF( 1.0f - sine * sine ), -sine } );
+	soleQuat roll = soleHalfRotation( side, ( soleHalf ){ soleSqrtF( soleMaxF( 1.0f - sine * sine, 0.0f ) ), -sine } );
 	soleVec3 arm = soleSub( leg->ankleTarget, leg->pivotTarget );
 	leg->footReached = soleNormalizeQuat( soleMulQuat( roll, leg->footReached ) );
 	leg->ankleGoal = soleAdd( leg->pivotTarget, soleRotate( roll, arm ) );

@@ -10,6 +10,7 @@
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
 #include "place/way.h"
 
+#define AHEAD 3.0f    // L/s: fastest that a foot goes ahead of the animation
 #define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
 #define PATIENCE 2.0f // times the strain at which a lock is given up, while the foot waits to step over
 #define SHORT 0.1f    // L: a leg whose foot can't come nearer than this to where it is held gives up
@@ -102,6 +103,23 @@ static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float tim
 	}
 }
 
+/// By how much a foot on its way is ahead of the animation. No jump of what is told of its way is taken over, and one
+/// that has lost its way is no nearer to the animation.
+static void soleGoAhead( const solePlaceWork* work, soleLegWork* leg )
+{
+	soleLegState* state = leg->state;
+	if ( leg->planned == false )
+	{
+		state->slide.value = soleAdd( state->slide.value, state->lead );
+		state->lead = soleVec( 0.0f, 0.0f, 0.0f );
+		return;
+	}
+	soleVec3 step = soleSub( soleLeadWay( work, leg ), state->lead );
+	float most = AHEAD * leg->length * work->timeStep;
+	float length = soleLength( step );
+	state->lead = soleMulAdd( state->lead, length > most ? most / length : 1.0f, step );
+}
+
 static void soleGoFree( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
@@ -109,9 +127,7 @@ static void soleGoFree( solePlaceWork* work, soleLegWork* leg )
 	soleLetSlide( work, leg, work->timeStep );
 	state->turn = soleDecayOffset1( state->turn, work->settings->contact.releaseHalfLife, work->timeStep );
 	leg->turn = soleHalfRotation( work->up, soleHalfFromQuarterTan( state->turn.value ) );
-	// A foot that was ahead of the animation and has lost its way is no nearer to it.
-	state->slide.value = leg->planned ? state->slide.value : soleAdd( state->slide.value, state->lead );
-	state->lead = leg->planned ? soleLeadWay( work, leg ) : soleVec( 0.0f, 0.0f, 0.0f );
+	soleGoAhead( work, leg );
 	leg->anchorGoal = soleAdd( soleAnimatedPlace( work, leg ), soleAdd( state->slide.value, state->lead ) );
 }
 

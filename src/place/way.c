@@ -17,7 +17,7 @@
 #define NEAR_END 0.06f    // share of the way near its ends in which nothing can be cleared any more
 #define STANDS_OUT 0.033f // L over both ends: a narrow thing, no stair
 #define MOST_MORE 1.6f    // by this much the smoothed hull may be raised
-#define BESIDE 0.06f      // L
+#define BESIDE 0.06f      // L: what is further beside the way is not in it
 #define LEAD 0.6f         // share of what is left of its way that a foot is ahead by
 #define LEAD_LOW 0.03f    // L: an edge so much over the landing asks for none of it
 #define LEAD_HIGH 0.12f   // L: for all of it
