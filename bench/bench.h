@@ -47,6 +47,11 @@ extern "C"
 	/// The name "STEM-SIZE", sizes as 10k and 1M, in memory that lives as long as the program.
 	const char* benchName( const char* stem, int64_t size );
 
+	/// Nanoseconds since some time.
+	double benchNow( void );
+	/// Of doubles, for qsort().
+	int benchCompare( const void* a, const void* b );
+
 	// Each adds its cases.
 	void benchAddGround( benchList* list, int64_t largest );
 	void benchAddPlace( benchList* list, int64_t largest );

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The list of cases, and memory that is there or ends the program.
+// What the programs share: the list of cases, memory that is there or ends the program, the clock, an order of times.
+#define _POSIX_C_SOURCE 199309L
+
 #include "bench.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 void* benchAlloc( size_t count, size_t size )
 {
@@ -52,4 +55,18 @@ const char* benchName( const char* stem, int64_t size )
 		snprintf( name, 64, "%s-%d", stem, (int)size );
 	}
 	return name;
+}
+
+double benchNow( void )
+{
+	struct timespec t;
+	clock_gettime( CLOCK_MONOTONIC, &t );
+	return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
+}
+
+int benchCompare( const void* a, const void* b )
+{
+	double x = *(const double*)a;
+	double y = *(const double*)b;
+	return x < y ? -1 : ( x > y ? 1 : 0 );
 }

@@ -3,14 +3,11 @@
 //   usage: sole_bench [--runs N] [--largest N] [--only TEXT] [-o FILE.csv] [--count CASE/VARIANT | --counted]
 // --count runs one case once, in benchCounted(), for those who count instructions, and fails where this machine does
 // not have it; --counted lists which are meant.
-#define _POSIX_C_SOURCE 199309L
-
 #include "bench.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #define MIN_RUN_NS 2e6 // shorter runs are repeated until they are as long
 
@@ -36,25 +33,11 @@ typedef struct benchTimes
 	int32_t count;
 } benchTimes;
 
-static double benchNow( void )
-{
-	struct timespec t;
-	clock_gettime( CLOCK_MONOTONIC, &t );
-	return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
-}
-
 /// One run as it is counted and timed. By itself, so that a counter can be switched on by its name.
 BENCH_NO_INLINE void benchCounted( benchRunFcn* run, void* context );
 void benchCounted( benchRunFcn* run, void* context )
 {
 	run( context );
-}
-
-static int benchCompare( const void* a, const void* b )
-{
-	double x = *(const double*)a;
-	double y = *(const double*)b;
-	return x < y ? -1 : ( x > y ? 1 : 0 );
 }
 
 static void benchPrint( FILE* file, const benchCase* c, benchTimes* times )

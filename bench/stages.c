@@ -67,13 +67,6 @@ void benchEndStage( const char* name )
 	s_last = benchTick();
 }
 
-static double benchNow( void )
-{
-	struct timespec t;
-	clock_gettime( CLOCK_MONOTONIC, &t );
-	return 1e9 * (double)t.tv_sec + (double)t.tv_nsec;
-}
-
 /// @param nothing ticks from one look at the clock to the next
 /// @return nanoseconds a tick
 static double benchCalibrate( double* nothing )
@@ -92,13 +85,6 @@ static double benchCalibrate( double* nothing )
 	}
 	*nothing = (double)least;
 	return ( benchNow() - begin ) / (double)( benchTick() - first );
-}
-
-static int benchCompare( const void* a, const void* b )
-{
-	double x = *(const double*)a;
-	double y = *(const double*)b;
-	return x < y ? -1 : ( x > y ? 1 : 0 );
 }
 
 static const benchCase* benchFindSolve( const benchList* list )

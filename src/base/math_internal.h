@@ -111,6 +111,13 @@ static inline float soleExpNegative( float x )
 	return r;
 }
 
+/// What is left, after a time, of a value that loses half of itself in each half-life. 0: it is gone at once.
+static inline float soleLeftAfter( float time, float halfLife )
+{
+	const float ln2 = 0.6931472f;
+	return halfLife > 0.0f ? soleExpNegative( ln2 * time / halfLife ) : 0.0f;
+}
+
 /// Floats that lie one after the other: none is infinite or no number.
 static inline bool soleAreFinite( const void* floats, size_t byteCount )
 {

@@ -14,9 +14,8 @@
 #include "place/place.h"
 
 #define STRENGTH_TIME 0.06f // s, half-life
-#define LN_2 0.6931472f
-#define NOTHING 1e-6f // of strength: less is over, and does not go on among the smallest floats
-#define NOWHERE 1e3f  // L: ground that nobody has found is as far down
+#define NOTHING 1e-6f       // of strength: less is over, and does not go on among the smallest floats
+#define NOWHERE 1e3f        // L: ground that nobody has found is as far down
 
 /// Height of the lowest point of a leg's animated sole over the ground under it. A foot on its way to a foothold that
 /// is foreseen has not asked for what is under it now: it is over what it left.
@@ -64,7 +63,7 @@ void soleFindActivity( solePlaceWork* work )
 	{
 		state->strength = wanted;
 	}
-	float left = ( state->strength - wanted ) * soleExpNegative( LN_2 * work->timeStep / STRENGTH_TIME );
+	float left = ( state->strength - wanted ) * soleLeftAfter( work->timeStep, STRENGTH_TIME );
 	state->strength = left > NOTHING || left < -NOTHING ? wanted + left : wanted;
 	bool flies = soleStays( ( was & (uint32_t)sole_stateAirborne ) != 0, high, s->activity.high, s->activity.low );
 	bool runs = soleStays( ( was & (uint32_t)sole_stateRunning ) != 0, speed, s->activity.fast, s->activity.slow );

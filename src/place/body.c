@@ -96,28 +96,15 @@ static soleBodyFit soleFitBefore( const solePlaceWork* work )
 	return f;
 }
 
-static soleBodyFit soleFitNow( const solePlaceWork* work )
+/// By what is known now of a later time: the pelvis has gone on, and who is to be down by then is down.
+static soleBodyFit soleFitAfter( const solePlaceWork* work, soleVec3 travel, float time )
 {
-	soleBodyFit f = soleBeginFit( work, soleGetPelvis( work ) );
+	soleBodyFit f = soleBeginFit( work, soleAdd( soleGetPelvis( work ), travel ) );
 	for ( int32_t i = 0; i < work->legCount; ++i )
 	{
 		const soleLegWork* leg = work->legs + i;
 		float say = soleGetSay( work, leg, leg->hasGround, leg->weight );
-		soleAddStand( work, &leg->stand, leg->stand.share, say, &f );
-	}
-	soleEndFit( &f );
-	return f;
-}
-
-/// When a leg comes down: the pelvis has gone on as the root will, and who is to be down no later is down.
-static soleBodyFit soleFitLanding( const solePlaceWork* work, const soleLegWork* landing )
-{
-	soleBodyFit f = soleBeginFit( work, soleAdd( soleGetPelvis( work ), landing->travel ) );
-	for ( int32_t i = 0; i < work->legCount; ++i )
-	{
-		const soleLegWork* leg = work->legs + i;
-		float say = soleGetSay( work, leg, leg->hasGround, leg->weight );
-		bool down = leg->planned && leg->stepInput.until <= landing->stepInput.until;
+		bool down = leg->planned && leg->stepInput.until <= time;
 		soleAddStand( work, &leg->stand, down ? 1.0f : leg->stand.share, say, &f );
 	}
 	soleEndFit( &f );
@@ -201,7 +188,7 @@ static void soleLearnGradient( solePlaceWork* work, const soleBodyFit* f )
 void soleFindBodyGround( solePlaceWork* work )
 {
 	soleBodyFit before = soleFitBefore( work );
-	soleBodyFit now = soleFitNow( work );
+	soleBodyFit now = soleFitAfter( work, soleVec( 0.0f, 0.0f, 0.0f ), 0.0f );
 	work->bodyBefore = soleFindLineHeight( work, &before );
 	work->bodyGround = soleFindLineHeight( work, &now );
 	soleLearnGradient( work, &now );
@@ -213,6 +200,6 @@ void soleFindBodyGround( solePlaceWork* work )
 
 float soleForeseeBodyGround( const solePlaceWork* work, const soleLegWork* landing )
 {
-	soleBodyFit then = soleFitLanding( work, landing );
+	soleBodyFit then = soleFitAfter( work, landing->travel, landing->stepInput.until );
 	return soleFindLineHeight( work, &then );
 }

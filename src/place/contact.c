@@ -8,7 +8,6 @@
 
 #define SETTLED 1e3f // s: longer than any setting
 #define LOWER 0.025f // s, half-life of a heel lift that a foot in flight needs no more
-#define LN_2 0.6931472f
 
 /// What decides whether a part of the foot is down.
 typedef struct soleContactLimits
@@ -115,7 +114,7 @@ static void soleFadePlanted( const solePlaceWork* work, soleLegWork* leg )
 		state->plantWeight = soleMaxF( state->plantWeight - step, goal );
 	}
 	bool lowers = down == false && work->first == false && state->heelLift > 0.0f;
-	leg->liftLeft = lowers ? state->heelLift * soleExpNegative( LN_2 * time / LOWER ) : 0.0f;
+	leg->liftLeft = lowers ? state->heelLift * soleLeftAfter( time, LOWER ) : 0.0f;
 }
 
 void soleUpdateContact( solePlaceWork* work )

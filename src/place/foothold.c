@@ -258,7 +258,7 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	if ( settled == false && leg->sampleCount > 0 )
 	{
 		soleLiftStep( work, leg, &way, news );
-		bool before = news && soleShareOfTime( leg ) < SOLE_LEAD_FROM;
+		bool before = news && state->stepTime < SOLE_LEAD_FROM;
 		state->stepLead = before ? soleFindLead( work, leg, &way ) : state->stepLead;
 	}
 	leg->raw = soleFollowWay( work, leg, &way, leg->soleCenter );

@@ -20,8 +20,7 @@
 #include "place/place.h"
 
 #define MOST_TILT 0.45f // tan of the furthest lean, 24 degrees
-#define LN_2 0.6931472f
-#define NOTHING 1e-6f // of a slope: less is over, and does not go on among the smallest floats
+#define NOTHING 1e-6f   // of a slope: less is over, and does not go on among the smallest floats
 
 static void soleLean( solePlaceWork* work, soleVec3 slope )
 {
@@ -54,7 +53,7 @@ void soleAddLayer( solePlaceWork* work )
 	soleState* state = work->state;
 	float demand = state->second.value;
 	float halfLife = soleMaxF( s->target.secondTime, 1e-6f );
-	float left = work->first ? 0.0f : soleExpNegative( LN_2 * work->timeStep / halfLife );
+	float left = work->first ? 0.0f : soleLeftAfter( work->timeStep, halfLife );
 	soleVec3 off = soleScale( left, soleSub( soleHorizontal( work, state->leanSlope ), state->bodyGradient ) );
 	off = soleDot( off, off ) > NOTHING * NOTHING ? off : soleVec( 0.0f, 0.0f, 0.0f );
 	state->leanSlope = soleAdd( state->bodyGradient, off );

@@ -29,8 +29,7 @@
 #define STANDING_OUT 0.2f  // s
 #define LEAST_TIME 1e-3f   // s
 #define PEAK 1.3f          // the body's ground is so much faster half-way than on the mean
-#define LN_2 0.6931472f
-#define MARGIN 0.011f // L: it goes a quarter of this lower than it has to, to be there in time
+#define MARGIN 0.011f      // L: it goes a quarter of this lower than it has to, to be there in time
 
 /// Offset at which the hip is this far from a target.
 static float soleOffsetFor( const solePlaceWork* work, const soleLegWork* leg, soleVec3 target, float length )
@@ -190,6 +189,7 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 {
 	soleState* state = work->state;
 	const soleSettings* s = work->settings;
+	bool standing = soleIsStanding( work );
 	bool near = goal < state->pelvisHeld + AGAIN * legLength;
 	state->pelvisHeldTime = near ? 0.0f : state->pelvisHeldTime + work->timeStep;
 	float hold = soleFindHold( work, legLength );
@@ -197,13 +197,12 @@ static float soleHoldGoal( solePlaceWork* work, float goal, float legLength )
 	{
 		state->pelvisHeld = goal;
 	}
-	else if ( near || soleIsStanding( work ) || state->pelvisHeldTime > hold )
+	else if ( near || standing || state->pelvisHeldTime > hold )
 	{
-		float halfLife = s->pelvis.release * ( soleIsStanding( work ) ? 0.25f : 1.0f );
 		// It may have been kept for a part of this frame.
-		bool since = near == false && soleIsStanding( work ) == false;
-		float time = since ? soleMinF( state->pelvisHeldTime - hold, work->timeStep ) : work->timeStep;
-		float left = halfLife > 0.0f ? soleExpNegative( LN_2 * time / halfLife ) : 0.0f;
+		bool whole = near || standing;
+		float time = whole ? work->timeStep : soleMinF( state->pelvisHeldTime - hold, work->timeStep );
+		float left = soleLeftAfter( time, s->pelvis.release * ( standing ? 0.25f : 1.0f ) );
 		state->pelvisHeld = goal + ( state->pelvisHeld - goal ) * left;
 	}
 	return state->pelvisHeld;

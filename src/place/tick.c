@@ -18,13 +18,12 @@
 // pelvisHeldTime.
 #include "place/way.h"
 
-#define TICK 0.02f // s
-#define LN_2 0.6931472f
+#define TICK 0.02f    // s
 #define NOTHING 1e-9f // L: what is nearer is there, and does not go on among the smallest floats
 
 static float soleFindShare( float halfLife )
 {
-	return halfLife > 0.0f ? 1.0f - soleExpNegative( LN_2 * TICK / halfLife ) : 1.0f;
+	return 1.0f - soleLeftAfter( TICK, halfLife );
 }
 
 void soleCountTick( solePlaceWork* work )

@@ -99,6 +99,19 @@ typedef struct soleClearance
 
 #define MAX_CLEARANCES ( 3 * SOLE_MAX_PROBES_PER_LEG + 2 )
 
+/// Where the ball is, seen from where the way begins, while a part of the foot passes over a place.
+/// @param ahead how far that part is ahead of the ball
+static soleVec3 soleFindBall( const soleLegWork* leg, const soleWay* way, soleVec3 place, float ahead )
+{
+	return soleMulAdd( soleSub( place, way->from ), -ahead, leg->landingForward );
+}
+
+/// Is it on the way, from one end of which to the other is d, when it has come a share s of that?
+static bool soleIsOnWay( const solePlaceWork* work, const soleLegWork* leg, soleVec3 ball, soleVec3 d, float s )
+{
+	return soleLength( soleHorizontal( work, soleMulAdd( ball, -s, d ) ) ) < BESIDE * leg->length;
+}
+
 /// How far the way has to be lifted so that neither heel, ball nor toes meet what lies between its ends.
 /// @param least height from which on what lies there counts
 static int32_t soleFindClearances(
@@ -119,19 +132,17 @@ static int32_t soleFindClearances(
 		const soleGroundSample* sample = leg->samples + i;
 		for ( int32_t k = 0; k < 3 && sample->found && sample->height > least; ++k )
 		{
-			// Where the ball is while that part of the foot passes over the place, if it does.
-			soleVec3 ball = soleMulAdd( soleSub( sample->place, way->from ), -parts[k], leg->landingForward );
+			soleVec3 ball = soleFindBall( leg, way, sample->place, parts[k] );
 			float s = soleDot( ball, d ) / ( length * length );
 			if ( !( s > NEAR_END && s < 1.0f - NEAR_END ) )
 			{
 				continue;
 			}
-			soleVec3 off = soleHorizontal( work, soleMulAdd( ball, -s, d ) );
 			soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, s );
 			// A foot that flies in parallel to the slope under it.
 			float height = soleDot( soleLerp( way->from, way->to, s ), work->up ) +
 			    parts[k] * soleDot( gradient, leg->landingForward );
-			if ( sample->height > height && soleLength( off ) < BESIDE * leg->length )
+			if ( sample->height > height && soleIsOnWay( work, leg, ball, d, s ) )
 			{
 				list[count++] = ( soleClearance ){ s, sample->height - height };
 			}
@@ -146,16 +157,15 @@ static float soleFindHindrance( const solePlaceWork* work, const soleLegWork* le
 {
 	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
 	float length2 = soleDot( d, d );
-	soleVec3 heel = soleScale( -leg->rig->heelBehind * work->rootScale, leg->landingForward );
-	float under = soleDot( way->toGradient, heel );
+	float heel = -leg->rig->heelBehind * work->rootScale;
+	float under = heel * soleDot( way->toGradient, leg->landingForward );
 	float highest = 0.0f;
 	for ( int32_t i = 0; i < leg->sampleCount && length2 > BY_TIME * BY_TIME * leg->length * leg->length; ++i )
 	{
 		const soleGroundSample* sample = leg->samples + i;
-		soleVec3 ball = soleSub( soleSub( sample->place, way->from ), heel );
+		soleVec3 ball = soleFindBall( leg, way, sample->place, heel );
 		float s = soleDot( ball, d ) / length2;
-		float aside = soleLength( soleHorizontal( work, soleMulAdd( ball, -s, d ) ) );
-		bool meets = sample->found && s > 1.0f - 2.0f * NEAR_END && s < 1.0f && aside < BESIDE * leg->length;
+		bool meets = sample->found && s > 1.0f - 2.0f * NEAR_END && s < 1.0f && soleIsOnWay( work, leg, ball, d, s );
 		float chord = soleDot( soleLerp( way->from, way->to, s ), work->up ) + under;
 		float plane = soleDot( way->to, work->up ) + soleDot( way->toGradient, soleSub( sample->place, way->to ) );
 		highest = soleMaxF( highest, meets ? sample->height - soleMaxF( chord, plane ) : 0.0f );
