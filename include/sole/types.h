@@ -520,6 +520,7 @@ typedef struct soleLegState
 	soleOffset3 gradient;   // what is left of slope changes
 	float heelRise;         // their heights over the clip's floor
 	float ballRise;
+	float rolled;         // how far the ball has gone with a foot that stands on its toe tip alone
 	soleVec3 limitTurn;   // what the ankle's range of motion turns the foot by, in its own axes: sines of half angles
 	soleOffset1 flat;     // by how much a heel that its clip leaves off the floor is turned down, rad
 	float positionWeight; // as far as blended in

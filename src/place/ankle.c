@@ -14,8 +14,8 @@
 // with the foot's contact. Toes that the clip has under its floor are bent up to it.
 #include "place/parts.h"
 
-#define ON_HEEL 0.03f // L: a ball that is animated this much higher than the heel bears nothing
-#define PLAY 0.024f   // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
+#define ON_TIP 0.2f // sine of the angle from which on toes stand on their tip
+#define PLAY 0.024f // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
 
 typedef struct soleAnkleTurn
 {
@@ -124,6 +124,15 @@ static soleVec3 soleHeelArm( const soleLegWork* leg, soleQuat foot )
 	return soleRotate( foot, soleMul( leg->foot.scale, soleSub( leg->rig->heel, leg->rig->pivot ) ) );
 }
 
+/// The toe tip as seen from there.
+static soleVec3 soleTipArm( const solePlaceWork* work, const soleLegWork* leg, soleQuat foot )
+{
+	const soleRigLeg* rig = leg->rig;
+	bool bends = rig->toeSlot != SOLE_NONE;
+	soleVec3 tip = bends ? rig->foreToe : soleSub( rig->toe, rig->pivot );
+	return soleRotate( bends ? soleBendToe( work, leg, foot ) : foot, soleMul( leg->foot.scale, tip ) );
+}
+
 /// Height, over the pivot and along a normal, of the lowest point of a sole that is turned like this, its toes bent as
 /// they will be.
 static float soleLowestPoint( const solePlaceWork* work, const soleLegWork* leg, soleQuat foot, soleVec3 normal )
@@ -143,14 +152,14 @@ static float soleLowestPoint( const solePlaceWork* work, const soleLegWork* leg,
 	return lowest;
 }
 
-/// Does a foot stand on its heel, 0 to 1: one that is held by it, or comes down with its ball over it.
-static float soleIsOnHeel( const soleLegWork* leg )
+/// Does a foot stand on its heel, 0 to 1? One that is held says so itself.
+static float soleStandsOnHeel( const soleLegWork* leg )
 {
 	if ( ( leg->state->flags & sole_stateLocked ) != 0 )
 	{
 		return ( leg->state->flags & sole_stateByHeel ) != 0 ? 1.0f : 0.0f;
 	}
-	return soleSmoothly( soleSaturate( ( leg->ballRise - leg->heelRise ) / ( ON_HEEL * leg->length ) ) );
+	return soleIsOnHeel( leg );
 }
 
 /// Sets the targets of a foot that was turned from `wanted` to `turned`: its lowest point stays as high as it was
@@ -160,8 +169,11 @@ static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat 
 	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->pivotTarget ) );
 	soleVec3 normal = leg->out->planeNormal_w;
 	float raise = soleLowestPoint( work, leg, wanted, normal ) - soleLowestPoint( work, leg, turned, normal );
-	soleVec3 back = soleSub( soleHeelArm( leg, wanted ), soleHeelArm( leg, turned ) );
-	back = soleScale( soleIsOnHeel( leg ), soleMulAdd( back, -soleDot( back, normal ), normal ) );
+	soleVec3 heel = soleSub( soleHeelArm( leg, wanted ), soleHeelArm( leg, turned ) );
+	soleVec3 tip = soleSub( soleTipArm( work, leg, wanted ), soleTipArm( work, leg, turned ) );
+	float tiptoe = soleSmoothly( soleSaturate( soleFindTiptoe( work, leg ) / ON_TIP ) ) * leg->state->plantWeight;
+	soleVec3 back = soleAdd( soleScale( soleStandsOnHeel( leg ), heel ), soleScale( tiptoe, tip ) );
+	back = soleMulAdd( back, -soleDot( back, normal ), normal );
 	leg->pivotTarget = soleMulAdd( soleAdd( leg->pivotTarget, back ), raise, normal );
 	leg->ankleTarget = soleAdd( leg->pivotTarget, soleRotate( turned, arm ) );
 	leg->footTarget = turned;

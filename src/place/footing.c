@@ -130,9 +130,12 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 void soleBridgeMiss( const solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
 	soleLegState* state = leg->state;
-	bool missed = leg->hasGround == false && leg->foreseen == false && leg->hadGround && leg->touches;
+	bool stands = leg->hadGround && leg->touches;
+	bool missed = leg->hasGround == false && leg->foreseen == false && stands;
+	// One that has come down while it was foreseen to be in flight has not asked what is under it.
+	bool unasked = leg->foreseen && leg->sampleCount <= soleGetLookCount( work->settings ) && stands;
 	state->missTime = missed ? state->missTime + work->timeStep : 0.0f;
-	if ( missed && state->missTime < MISS_TIME )
+	if ( unasked || ( missed && state->missTime < MISS_TIME ) )
 	{
 		leg->hasGround = true;
 		leg->missed = true;

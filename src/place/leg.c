@@ -15,6 +15,9 @@
 // Soft reach. Beyond `soft` the distance approaches `hard` as hard - z exp( -( L - soft ) / z ), z = hard - soft, which
 // leaves the line L = L with slope 1.
 //
+// Hanging. Drawn towards its hip, a foot that stands would slide: so it goes straight up from its place, until the leg
+// is as long as it may be. With h the level part of d1 its ankle is  sqrt( L^2 - h^2 )  under the hip.
+//
 // Stretch, where it is allowed, makes all bones of the leg longer before the soft reach falls short; twist, where it is
 // wanted, turns the whole leg about the line from hip to ankle, which moves neither.
 //
@@ -31,7 +34,9 @@
 // left).
 #include "place/parts.h"
 
-#define EASE 0.15f // of the cosine of the heel lift
+#define EASE 0.15f  // of the cosine of the heel lift
+#define STANDS 0.6f // cosine of a leg's lean up to which a foot is not drawn in
+#define LEANS 0.3f
 
 // ------------------------------------------------------------------------------------------------------- two bones
 
@@ -219,6 +224,21 @@ static soleQuat soleShareTwist( const solePlaceWork* work, const soleLegWork* le
 	return soleNlerp( soleQuat_Identity(), twist, share );
 }
 
+/// Where a foot goes that stands on what its leg does not quite reach: over its place, not towards the hip, or it would
+/// slide. Legs that lean so far that this takes it high up draw it in all the same.
+static soleVec3 soleHangOver( const solePlaceWork* work, const soleLegWork* leg, float reached )
+{
+	soleVec3 d = soleSub( leg->ankleGoal, leg->hip );
+	float length = soleLength( d );
+	float down = -soleDot( d, work->up );
+	soleVec3 level = soleMulAdd( d, down, work->up );
+	float upright = soleSqrtF( soleMaxF( reached * reached - soleDot( level, level ), 0.0f ) );
+	float share = soleSmoothly( soleSaturate( ( upright / reached - LEANS ) / ( STANDS - LEANS ) ) );
+	share *= down > 0.0f ? leg->state->plantWeight : 0.0f;
+	soleVec3 drawn = soleMulAdd( leg->hip, reached / length, d );
+	return soleLerp( drawn, soleMulAdd( soleAdd( leg->hip, level ), -upright, work->up ), share );
+}
+
 void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def )
 {
 	int32_t knee = leg->rig->kneeIndex;
@@ -242,6 +262,17 @@ void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* 
 	float perBone = bones > 0.0f ? stretch / bones : 0.0f;
 	def->reach = soleMinF( reach.hard * perBone, 1.0f );
 	def->softZone = reach.hard - reach.soft;
+	float wanted = soleDistance( leg->hip, leg->ankleGoal );
+	float hard = stretch * reach.hard;
+	float soft = hard - def->softZone;
+	if ( wanted > soft && leg->state->plantWeight > 0.0f && soleHoldsFeet( work ) )
+	{
+		// As short as the two bones would make it.
+		def->target = soleHangOver( work, leg, soleSoften( wanted, soft, hard ) );
+		def->softZone = 0.0f;
+		leg->out->flags |= (uint32_t)sole_legSoftened;
+		leg->out->flags |= wanted > hard ? (uint32_t)sole_legOutOfReach : 0u;
+	}
 	def->fold = soleMinF( work->settings->leg.fold * leg->length, soleDistance( def->hip, def->ankle ) ) * perBone;
 	leg->out->stretch = stretch;
 }

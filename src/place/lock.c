@@ -2,7 +2,11 @@
 // Lock: where a planted foot is held.
 //
 // A foot in contact is held by one point of its sole, the anchor: the heel from heel strike on, the ball from the
-// moment the toe is down. The point is held where the foot was, not where the animation is.
+// moment the toe is down. The point is held where the foot was, not where the animation is. At the end of a stance the
+// foot rolls over its toe tip, t ahead of the ball, and takes its ball along: by  t ( 1 - cos ),  cos of the angle at
+// which its toes stand up; where they are bent against the foot by the slope s also by  -s t sin,  since the foot turns
+// with its own plane. The anchor is the ball less that: held is the tip. That of a foot in flight is its ball, too, and
+// goes over to where the ball will be, heelBehind ahead of the heel, as the heel comes to be lowest.
 //   free:    anchor's place = animated place + slide        slide decays to 0: the way back to the animation
 //   planned: the same, and a lead near the way's end       slide comes to rest where the step is to land, when it does
 //   locked:  anchor's place = lockPoint + slide             slide decays to 0: what was left of the foot's motion
@@ -26,17 +30,60 @@ static soleVec3 soleOnFloor( const solePlaceWork* work, soleVec3 point, float ri
 	return soleMulAdd( point, -rise, work->rootUp );
 }
 
-/// The anchor's animated place, shifted so that the ankle of a foot at rest stays over its animated place although the
-/// foot is tilted: the ankle stands ankleHeight over the sole along the plane's normal.
-static void soleSetAnchor( const solePlaceWork* work, soleLegWork* leg, bool byHeel )
+/// How far ahead the ball has gone with a foot that went on to stand on its toe tip alone.
+static float soleFindRoll( const solePlaceWork* work, const soleLegWork* leg )
 {
-	leg->anchor =
-	    byHeel ? soleOnFloor( work, leg->heel, leg->heelRise ) : soleOnFloor( work, leg->ball, leg->ballRise );
+	float toe = leg->rig->toeAhead * work->rootScale;
+	float sine = soleFindTiptoe( work, leg );
+	return toe * ( 1.0f - soleSqrtF( 1.0f - sine * sine ) - sine * leg->toeSlope );
+}
+
+/// Where the ball is, or was before it went along with the toes' roll.
+static soleVec3 soleBallOnFloor( const solePlaceWork* work, const soleLegWork* leg )
+{
+	soleVec3 ball = soleOnFloor( work, leg->ball, leg->ballRise );
+	return soleMulAdd( ball, -soleFindRoll( work, leg ), leg->forward );
+}
+
+/// The anchor of a foot that is held by its heel, or by its ball.
+static soleVec3 soleHeldPoint( const solePlaceWork* work, const soleLegWork* leg, bool byHeel )
+{
 	if ( work->settings->contact.pivot == sole_pivotAnkle )
 	{
-		float rise = soleDot( soleSub( leg->ankle, work->floor ), work->rootUp );
-		leg->anchor = soleOnFloor( work, leg->ankle, rise );
+		return soleOnFloor( work, leg->ankle, soleDot( soleSub( leg->ankle, work->floor ), work->rootUp ) );
 	}
+	return byHeel ? soleOnFloor( work, leg->heel, leg->heelRise ) : soleBallOnFloor( work, leg );
+}
+
+/// The anchor of one that is free: its ball, or where that will be when the foot has come down on its heel.
+static soleVec3 soleFreePoint( const solePlaceWork* work, const soleLegWork* leg )
+{
+	soleVec3 ball = soleHeldPoint( work, leg, false );
+	if ( work->settings->contact.pivot == sole_pivotAnkle )
+	{
+		return ball;
+	}
+	soleVec3 byHeel = soleHeldPoint( work, leg, true );
+	byHeel = soleMulAdd( byHeel, leg->rig->heelBehind * work->rootScale, leg->forward );
+	return soleLerp( ball, byHeel, soleIsOnHeel( leg ) );
+}
+
+/// How fast the animation moves a place by which a foot is held.
+static soleVec3 soleAnchorVelocity( const solePlaceWork* work, const soleLegWork* leg, bool byHeel )
+{
+	if ( byHeel || work->first || !( work->timeStep > 0.0f ) )
+	{
+		return byHeel ? leg->heelVelocity : leg->ballVelocity;
+	}
+	float rolled = soleFindRoll( work, leg ) - leg->state->rolled;
+	return soleMulAdd( leg->ballVelocity, -rolled / work->timeStep, leg->forward );
+}
+
+/// The anchor's animated place, shifted so that the ankle of a foot at rest stays over its animated place although the
+/// foot is tilted: the ankle stands ankleHeight over the sole along the plane's normal.
+static void soleSetAnchor( const solePlaceWork* work, soleLegWork* leg, soleVec3 point )
+{
+	leg->anchor = point;
 	leg->anchorShift = soleTiltShift( work, leg, leg->plane.normal );
 }
 
@@ -51,6 +98,13 @@ static soleVec3 solePlaceOf( const solePlaceWork* work, const soleLegWork* leg, 
 	soleQuat tilt = soleFromTo( work->up, leg->plane.normal, leg->forward );
 	soleVec3 arm = soleRotate( tilt, soleRotate( leg->turn, soleSub( floorPoint, leg->anchor ) ) );
 	return soleHorizontal( work, soleAdd( leg->anchorGoal, arm ) );
+}
+
+/// Takes another point as the anchor: the foot stays where it is.
+static void soleChangeAnchor( const solePlaceWork* work, soleLegWork* leg, soleVec3 point )
+{
+	leg->anchorGoal = solePlaceOf( work, leg, point );
+	soleSetAnchor( work, leg, point );
 }
 
 /// One step on the cubic that takes an offset from its value and velocity to rest at a goal when the time is over. Any
@@ -88,7 +142,7 @@ static void soleLetSlide( const solePlaceWork* work, soleLegWork* leg, float tim
 		soleVec3 goal = soleHorizontal( work, soleSub( soleLevelPlace( work, leg ), leg->landing ) );
 		state->slide = soleArrive( state->slide, goal, leg->stepInput.until + time, time );
 	}
-	else if ( leg->told && leg->touches && soleIsComingDown( work, leg ) )
+	else if ( leg->touches && soleIsComingDown( work, leg ) )
 	{
 		// It is down, and comes to rest with the animation; what was left of its way when it came down is over.
 		bool came = leg->touched == false && ( state->flags & sole_stateForeseen ) != 0;
@@ -123,7 +177,7 @@ static void soleGoAhead( const solePlaceWork* work, soleLegWork* leg )
 static void soleGoFree( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	soleSetAnchor( work, leg, false );
+	soleSetAnchor( work, leg, soleFreePoint( work, leg ) );
 	soleLetSlide( work, leg, work->timeStep );
 	state->turn = soleDecayOffset1( state->turn, work->settings->contact.releaseHalfLife, work->timeStep );
 	leg->turn = soleHalfRotation( work->up, soleHalfFromQuarterTan( state->turn.value ) );
@@ -136,18 +190,12 @@ static void soleCapture( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	bool byHeel = ( state->flags & sole_stateToeOn ) == 0;
-	if ( byHeel )
-	{
-		soleVec3 heel = soleOnFloor( work, leg->heel, leg->heelRise );
-		leg->anchorGoal = solePlaceOf( work, leg, heel );
-		soleSetAnchor( work, leg, true );
-		state->flags |= (uint32_t)sole_stateByHeel;
-	}
+	soleChangeAnchor( work, leg, soleHeldPoint( work, leg, byHeel ) );
+	state->flags |= byHeel ? (uint32_t)sole_stateByHeel : 0u;
 	// It was due a little before the end of the frame: held from there on.
 	bool due = leg->told == false;
 	leg->since = due ? soleMinF( state->contactTime - work->settings->contact.settle, work->timeStep ) : leg->since;
-	soleVec3 velocity = byHeel ? leg->heelVelocity : leg->ballVelocity;
-	velocity = soleAdd( velocity, state->slide.velocity );
+	soleVec3 velocity = soleAdd( soleAnchorVelocity( work, leg, byHeel ), state->slide.velocity );
 	velocity = work->first ? soleVec( 0.0f, 0.0f, 0.0f ) : velocity;
 	leg->anchorGoal = soleMulAdd( leg->anchorGoal, -leg->since, velocity );
 	state->lockPoint_w = soleAdd( leg->anchorGoal, work->root_w );
@@ -167,14 +215,10 @@ static void soleRelease( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	bool byHeel = ( state->flags & sole_stateByHeel ) != 0;
-	if ( byHeel )
-	{
-		leg->anchorGoal = solePlaceOf( work, leg, soleOnFloor( work, leg->ball, leg->ballRise ) );
-		soleSetAnchor( work, leg, false );
-	}
+	soleChangeAnchor( work, leg, soleFreePoint( work, leg ) );
 	// It was due a little before the end of the frame, at the speed of the limit that was crossed: on its way since
 	// then.
-	soleVec3 velocity = byHeel ? leg->heelVelocity : leg->ballVelocity;
+	soleVec3 velocity = soleAnchorVelocity( work, leg, byHeel );
 	float speed = byHeel ? leg->heelSpeed : leg->ballSpeed;
 	soleVec3 then = speed > leg->letGoSpeed ? soleScale( leg->letGoSpeed / speed, velocity ) : velocity;
 	// What a host calls a lift is slow: the foot may take up the animation's motion at once. Its true speed then is not
@@ -196,7 +240,7 @@ static void soleKeepLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
 	bool byHeel = ( state->flags & sole_stateByHeel ) != 0;
-	soleSetAnchor( work, leg, byHeel );
+	soleSetAnchor( work, leg, soleHeldPoint( work, leg, byHeel ) );
 	state->slide = soleDecayOffset3( state->slide, work->settings->contact.captureHalfLife, work->timeStep );
 	soleVec3 held = soleHorizontal( work, soleSub( state->lockPoint_w, work->root_w ) );
 	leg->anchorGoal = soleAdd( held, state->slide.value );
@@ -214,10 +258,8 @@ static void soleKeepLock( solePlaceWork* work, soleLegWork* leg )
 	if ( byHeel && ( state->flags & sole_stateToeOn ) != 0 )
 	{
 		// The toe is down: the same foot is from here on held by its ball.
-		soleVec3 ball = solePlaceOf( work, leg, soleOnFloor( work, leg->ball, leg->ballRise ) );
-		soleSetAnchor( work, leg, false );
-		leg->anchorGoal = ball;
-		state->lockPoint_w = soleAdd( soleSub( ball, state->slide.value ), work->root_w );
+		soleChangeAnchor( work, leg, soleHeldPoint( work, leg, false ) );
+		state->lockPoint_w = soleAdd( soleSub( leg->anchorGoal, state->slide.value ), work->root_w );
 		state->flags &= ~(uint32_t)( sole_stateByHeel | sole_stateCompared );
 	}
 }
@@ -251,8 +293,8 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	bool locks = work->settings->contact.lockDistance > 0.0f;
-	bool possible = locks && leg->touches && leg->hasGround && leg->weight > 0.0f && leg->weight == leg->weightBefore;
+	bool possible = soleHoldsFeet( work ) && leg->touches && leg->hasGround && leg->weight > 0.0f &&
+	    leg->weight == leg->weightBefore;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
 	{
 		soleKeepLock( work, leg );
@@ -277,6 +319,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 		}
 	}
 	leg->planted = ( state->flags & sole_stateLocked ) != 0;
+	state->rolled = soleFindRoll( work, leg );
 }
 
 void soleUpdateLocks( solePlaceWork* work )

@@ -99,7 +99,7 @@ typedef struct soleLegWork
 	soleVec3 ankle, heel, ball;          // sole points, the ball carried by the toes
 	soleVec3 pivot;                      // what the heel is raised about: the toe joint, else the ball
 	soleVec3 forward;                    // horizontal heading of the foot, unit
-	float heelRise, ballRise;            // over the clip's floor
+	float heelRise, ballRise, tipRise;   // over the clip's floor
 	float sunk;                          // how far the clip itself has the sole under its floor
 	float toeSunk;                       // and its toes alone, as a slope from the ball
 	float heelSpeed, ballSpeed;          // over the ground, with the root's motion
@@ -286,6 +286,12 @@ static inline bool soleGoesByTicks( const solePlaceWork* work )
 	return work->settings->support.filter == sole_filterTick;
 }
 
+/// Its feet are held where they stand, if they can be.
+static inline bool soleHoldsFeet( const solePlaceWork* work )
+{
+	return work->settings->contact.lockDistance > 0.0f && soleGoesByTicks( work ) == false;
+}
+
 /// Share of a slope that a sole follows.
 float soleFindAlign( const solePlaceWork* work, soleVec3 gradient );
 /// The part of a foot's place that ground of some normal adds: the ankle stands over its animated place, so the sole
@@ -319,6 +325,21 @@ int32_t soleProbesPerLeg( const soleSettings* settings );
 static inline float soleSmoothly( float t )
 {
 	return t * t * t * ( 10.0f - t * ( 15.0f - 6.0f * t ) );
+}
+
+/// How far a foot is on its heel alone as it is animated, 0 to 1: its ball is so much higher that it bears nothing.
+static inline float soleIsOnHeel( const soleLegWork* leg )
+{
+	const float high = 0.03f; // L
+	return soleSmoothly( soleSaturate( ( leg->ballRise - leg->heelRise ) / ( high * leg->length ) ) );
+}
+
+/// How far a foot is on its toe tip alone as it is animated: sine of the angle by which its toes stand up.
+static inline float soleFindTiptoe( const solePlaceWork* work, const soleLegWork* leg )
+{
+	float toe = leg->rig->toeAhead * work->rootScale;
+	float over = leg->ballRise - soleMaxF( leg->tipRise, -leg->sunk );
+	return toe > 0.0f ? soleSaturate( over / toe ) : 0.0f;
 }
 
 static inline float soleLongestLeg( const solePlaceWork* work )

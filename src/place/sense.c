@@ -95,6 +95,7 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	float edges = soleMinF( soleDot( inner, work->rootUp ), soleDot( outer, work->rootUp ) );
 	float lowest = soleMinF( edges - soleDot( work->floor, work->rootUp ), soleMinF( leg->heelRise, leg->ballRise ) );
 	float tip = soleDot( soleSub( soleTransformPoint( fore, rig->foreToe ), work->floor ), work->rootUp );
+	leg->tipRise = tip;
 	// Toes that are under the floor are bent; a foot without toes is raised.
 	lowest = rig->toeSlot == SOLE_NONE ? soleMinF( lowest, tip ) : lowest;
 	leg->sunk = soleMaxF( -lowest, 0.0f );

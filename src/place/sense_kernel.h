@@ -132,6 +132,7 @@ SOLE_INLINE void FN( soleSenseLaneHeights )( soleSenseLanes* f, int32_t leg, int
 	soleWide least = MUL( NUM( 0.01f ), soleWide_Load( foot->length + i ) );
 	soleWide_Store( foot->heelRise + i, heelRise );
 	soleWide_Store( foot->ballRise + i, ballRise );
+	soleWide_Store( foot->tipRise + i, tip );
 	soleWide_Store( foot->sunk + i, sunk );
 	soleWide_Store( foot->toeSunk + i, bends ? DIV( under, soleWide_Max( toeLength, least ) ) : zero );
 }

@@ -57,6 +57,7 @@ static void soleTakeCharacter( soleSenseLanes* f, int32_t lane, solePlaceWork* w
 		leg->forward = soleGetRow3( foot->forward, lane );
 		leg->heelRise = foot->heelRise[lane];
 		leg->ballRise = foot->ballRise[lane];
+		leg->tipRise = foot->tipRise[lane];
 		leg->sunk = foot->sunk[lane];
 		leg->toeSunk = foot->toeSunk[lane];
 		soleSenseSpeed( work, leg );

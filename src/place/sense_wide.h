@@ -20,7 +20,7 @@ typedef struct soleSenseSpace
 typedef struct soleSenseFoot
 {
 	soleRow ankle[3], heel[3], ball[3], forward[3];
-	soleRow length, heelRise, ballRise, sunk, toeSunk;
+	soleRow length, heelRise, ballRise, tipRise, sunk, toeSunk;
 	uint32_t usable[SOLE_LANES];
 } soleSenseFoot;
 

@@ -184,7 +184,7 @@ soleVec3 soleLeadWay( const solePlaceWork* work, const soleLegWork* leg )
 	float time = soleShareOfTime( leg );
 	float lead = soleSmoothly( soleSaturate( ( time - SOLE_LEAD_FROM ) / LEAD_TIME ) );
 	lead *= leg->state->stepLead * ( 1.0f - soleSmoothly( soleSaturate( ( time - LEAD_END ) / ( 1.0f - LEAD_END ) ) ) );
-	return soleScale( lead, soleHorizontal( work, soleSub( leg->landing, leg->anchor ) ) );
+	return soleScale( lead, soleHorizontal( work, soleSub( leg->landing, leg->ball ) ) );
 }
 
 /// Height of the upper hull of all clearances at a share.

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Feet from strike to toe-off, from outside: they stay where they have come down, by whatever part of the sole they
+// stand.
+#include "test.h"
+
+#include "scene_actor.h"
+#include "scene_gates.h"
+
+static testGates measure( const char* scene, const char* name, bool told )
+{
+	testWorld world;
+	testOpenWorld( scene, &world );
+	soleAct act = *soleFindAct( scene, name );
+	act.host.unlabelled = told == false;
+	testGates gates = testMeasureAct( &s_actor, &world, &act );
+	testCloseWorld( &world );
+	assert_true( gates.plants > 2.0 );
+	return gates;
+}
+
+/// A foot that comes down while it is foreseen to be in flight has not asked what is under it. It had no ground for
+/// that frame, and forgot what was foreseen: heels went 24 to 40 mm into their treads.
+static void aFootThatComesDownUnaskedStandsOnWhatWasForeseen( void** state )
+{
+	(void)state;
+	assert_true( measure( "T02", "1.04 stepped", false ).depth.value < 1e-3 );
+	assert_true( measure( "T02", "T33 jump", true ).depth.value < 1e-3 );
+}
+
+/// Until such a foot was held it went back from its foothold to where the animation has it: by 11 mm.
+static void aFootThatNobodyToldOfStaysOnItsFoothold( void** state )
+{
+	(void)state;
+	assert_true( measure( "T02", "0.52 stepped", false ).slide.value < 0.7e-3 );
+	assert_true( measure( "T02", "1.04 stepped", false ).slide.value < 1e-3 );
+}
+
+/// At the end of a stance the foot stands on its toe tip, and its ball goes round that. Held by its ball the tip slid
+/// by 5 to 7 mm, and on the flat the foot was not where its clip has it.
+static void feetRollOverTheirToeTips( void** state )
+{
+	(void)state;
+	assert_true( measure( "T11-20", "diagonal", false ).slide.value < 1e-3 );
+	assert_true( measure( "T11-10", "up and down", false ).slide.value < 1e-3 );
+	assert_true( measure( "T01", "run", true ).away.value < 1e-3 );
+	assert_true( measure( "T01", "run", false ).away.value < 1e-3 );
+}
+
+/// What a leg does not quite reach its foot hangs over; it was drawn towards the hip.
+static void aFootOutOfReachDoesNotSlide( void** state )
+{
+	(void)state;
+	testGates gates = measure( "T07", "up", true );
+	assert_true( gates.gap.value > 5e-3 ); // there is one
+	assert_true( gates.slide.value < 0.5e-3 );
+}
+
+/// Ankles at their limit turn a foot about what it stands on: about its toe joint, by which its tip slid by 2.4 mm.
+static void ankleLimitsTurnAFootOnItsToesAboutTheirTip( void** state )
+{
+	(void)state;
+	assert_true( measure( "T02", "1.40 stepped", false ).slide.value < 1e-3 );
+}
+
+/// Where feet turn about their ankles, each was put with its ankle where its heel was when that came down: 135 mm
+/// ahead.
+static void feetThatTurnAboutTheirAnklesDoNotJumpWhenTheyComeDown( void** state )
+{
+	(void)state;
+	s_actor.settings.contact.pivot = sole_pivotAnkle;
+	testGates gates = measure( "T01", "walk", true );
+	s_actor.settings = soleDefaultSettings();
+	assert_true( gates.move.value < 10e-3 );
+}
+
+int main( void )
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test( aFootThatComesDownUnaskedStandsOnWhatWasForeseen ),
+		cmocka_unit_test( aFootThatNobodyToldOfStaysOnItsFoothold ),
+		cmocka_unit_test( feetRollOverTheirToeTips ),
+		cmocka_unit_test( aFootOutOfReachDoesNotSlide ),
+		cmocka_unit_test( ankleLimitsTurnAFootOnItsToesAboutTheirTip ),
+		cmocka_unit_test( feetThatTurnAboutTheirAnklesDoNotJumpWhenTheyComeDown ),
+	};
+	return cmocka_run_group_tests( tests, setup, teardown );
+}
