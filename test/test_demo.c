@@ -212,7 +212,7 @@ static void theDemoHasTheSameBits( void** state )
 		hash = testHashQuat( hash, take.result.output[i].rotation );
 	}
 	testCloseTake( &take );
-	testCheckHash( "the demo", hash, 0x9521c2f9839c1a9dull );
+	testCheckHash( "the demo", hash, 0x2206a6775cf56602ull );
 }
 
 // A turn about x whose angle's quarter has this tangent: no trigonometry.
@@ -321,7 +321,7 @@ static void theLibraryHasTheSameBits( void** state )
 	soleDestroyRig( biped.rig );
 	// It is a walk.
 	assert_in_range( planted, frames / 5, frames * 4 / 5 );
-	testCheckHash( "the library", hash, 0x6a1c8054835bc173ull );
+	testCheckHash( "the library", hash, 0x8d863cf73c8aa89full );
 }
 
 int main( void )

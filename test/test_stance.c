@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Feet from strike to toe-off, from outside: they stay where they have come down, by whatever part of the sole they
-// stand.
+// stand, and leave without running into what is before them.
 #include "test.h"
 
 #include "scene_actor.h"
@@ -73,6 +73,24 @@ static void feetThatTurnAboutTheirAnklesDoNotJumpWhenTheyComeDown( void** state 
 	assert_true( gates.move.value < 10e-3 );
 }
 
+/// Toes of a foot that stands right before a riser went into it when they left: by 37 to 41 mm.
+static void aFootThatSetsOutBeforeARiserWaitsForItsLift( void** state )
+{
+	(void)state;
+	assert_true( measure( "T02", "1.40 stepped", true ).swingDepth.value < 27e-3 );
+	assert_true( measure( "T09", "walk", true ).swingDepth.value < 32e-3 );
+	assert_true( measure( "T07", "up slowly", true ).swingDepth.value < 2e-3 );
+}
+
+/// The heel of a foot that leaves is lowered smoothly. Where its ankle was at its limit it was solved again, and lifted
+/// again by all that was left: it turned by 36 degrees in a frame.
+static void aFootThatItsAnkleTurnsIsLiftedOnce( void** state )
+{
+	(void)state;
+	assert_true( measure( "T11-45", "diagonal", true ).turn.value < 15.0 );
+	assert_true( measure( "T14-30", "walk left", true ).turn.value < 4.0 );
+}
+
 int main( void )
 {
 	const struct CMUnitTest tests[] = {
@@ -82,6 +100,8 @@ int main( void )
 		cmocka_unit_test( aFootOutOfReachDoesNotSlide ),
 		cmocka_unit_test( ankleLimitsTurnAFootOnItsToesAboutTheirTip ),
 		cmocka_unit_test( feetThatTurnAboutTheirAnklesDoNotJumpWhenTheyComeDown ),
+		cmocka_unit_test( aFootThatSetsOutBeforeARiserWaitsForItsLift ),
+		cmocka_unit_test( aFootThatItsAnkleTurnsIsLiftedOnce ),
 	};
 	return cmocka_run_group_tests( tests, setup, teardown );
 }

@@ -513,6 +513,7 @@ typedef struct soleLegState
 	float heelLift;         // how far the heel is lifted for the leg to reach, sine of half the angle
 	float stepTime;         // share of its flight's time that is over
 	float stepLead;         // share of what is left of its way that a foot comes to be ahead of the animation by
+	float stepWait;         // share of what it has come that it waits behind it by while it sets out
 	soleVec3 lead;          // by how much it is
 	soleOffset3 slide;      // horizontal offset of the foot from the animation
 	soleOffset1 turn;       // heading offset, tan( angle / 4 )

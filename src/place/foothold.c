@@ -201,7 +201,7 @@ static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
 	{
 		state->stepLift[i] = state->stepOver[i] = 0.0f; // what is known is of the last step
 	}
-	state->stepLead = 0.0f;
+	state->stepLead = state->stepWait = 0.0f;
 }
 
 /// Over what was met, and over what narrow things were met before.
@@ -259,6 +259,8 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	{
 		soleLiftStep( work, leg, &way, news );
 		bool before = news && state->stepTime < SOLE_LEAD_FROM;
+		float wait = state->stepTime < 0.25f ? soleFindWait( work, leg, &way ) : 0.0f;
+		state->stepWait = soleMaxF( state->stepWait, wait );
 		state->stepLead = before ? soleFindLead( work, leg, &way ) : state->stepLead;
 	}
 	leg->raw = soleFollowWay( work, leg, &way, leg->soleCenter );

@@ -184,8 +184,11 @@ static float soleFindHeelLift( const solePlaceWork* work, const soleLegWork* leg
 static void soleLiftHeel( const solePlaceWork* work, soleLegWork* leg, float permitted )
 {
 	bool needs = leg->state->plantWeight > 0.0f && soleDistance( leg->hip, leg->ankleTarget ) > permitted;
-	float sine = soleMaxF( needs ? soleFindHeelLift( work, leg, permitted ) : 0.0f, leg->liftLeft );
-	leg->state->heelLift = sine;
+	// A foot that the ankle's limits have turned is lifted already, and solved again.
+	float lifted = leg->limited ? leg->state->heelLift : 0.0f;
+	float left = leg->limited ? 0.0f : leg->liftLeft;
+	float sine = soleMaxF( needs ? soleFindHeelLift( work, leg, permitted ) : 0.0f, left );
+	leg->state->heelLift = soleMinF( lifted + sine, 1.0f );
 	if ( !( sine > 0.0f ) )
 	{
 		return;

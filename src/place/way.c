@@ -7,7 +7,9 @@
 //
 // Where a foot comes down right behind an edge, as on the way down stairs, no lift would spare its heel that: it would
 // have to drop from there. So it goes ahead of the animation in the second half of its flight, by a share of what is
-// left of its way, and comes down more steeply; the animation catches up by the end.
+// left of its way, and comes down more steeply; the animation catches up by the end. A foot that leaves right before a
+// riser waits in the same way while it sets out, until it is lifted over that: with c what the animation has come and
+// m = WAIT_MOST it waits by  m c / ( c + m / WAIT ),  a share of the first steps and no more than m.
 #include "place/way.h"
 
 #include <float.h>
@@ -23,6 +25,12 @@
 #define LEAD_HIGH 0.12f   // L: for all of it
 #define LEAD_TIME 0.33f   // share of the time in which it comes
 #define LEAD_END 0.88f    // from which on it goes
+#define WAIT 0.8f         // share of what it has come that a foot waits by at first
+#define WAIT_MOST 0.08f   // L: and at last
+#define WAIT_FROM 0.25f   // share of the time until which it waits
+#define WAIT_TIME 0.35f   // in which it catches up
+#define WAIT_NEAR 0.15f   // share of the way in which it meets a riser
+#define STEEP 0.7f        // rise per length: slopes are no risers
 
 soleVec3 soleGradientOf( const solePlaceWork* work, soleVec3 normal )
 {
@@ -179,12 +187,40 @@ float soleFindLead( const solePlaceWork* work, const soleLegWork* leg, const sol
 	return LEAD * soleSmoothly( soleSaturate( ( over - LEAD_LOW ) / ( LEAD_HIGH - LEAD_LOW ) ) );
 }
 
+float soleFindWait( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way )
+{
+	soleVec3 d = soleHorizontal( work, soleSub( way->to, way->from ) );
+	float length2 = soleDot( d, d );
+	float toe = leg->rig->toeAhead * work->rootScale;
+	float highest = 0.0f;
+	for ( int32_t i = 0; i < leg->sampleCount && length2 > BY_TIME * BY_TIME * leg->length * leg->length; ++i )
+	{
+		const soleGroundSample* sample = leg->samples + i;
+		soleVec3 ball = soleFindBall( leg, way, sample->place, toe );
+		float s = soleDot( ball, d ) / length2;
+		bool meets = sample->found && s > -NEAR_END && s < WAIT_NEAR && soleIsOnWay( work, leg, ball, d, s );
+		float plane =
+		    soleDot( way->from, work->up ) + soleDot( way->fromGradient, soleSub( sample->place, way->from ) );
+		float away = soleLength( soleHorizontal( work, soleSub( sample->place, way->from ) ) ) - toe;
+		highest = soleMaxF( highest, meets ? sample->height - plane - STEEP * soleMaxF( away, 0.0f ) : 0.0f );
+	}
+	float over = highest / leg->length;
+	return soleSmoothly( soleSaturate( ( over - LEAD_LOW ) / ( LEAD_HIGH - LEAD_LOW ) ) );
+}
+
 soleVec3 soleLeadWay( const solePlaceWork* work, const soleLegWork* leg )
 {
 	float time = soleShareOfTime( leg );
 	float lead = soleSmoothly( soleSaturate( ( time - SOLE_LEAD_FROM ) / LEAD_TIME ) );
 	lead *= leg->state->stepLead * ( 1.0f - soleSmoothly( soleSaturate( ( time - LEAD_END ) / ( 1.0f - LEAD_END ) ) ) );
-	return soleScale( lead, soleHorizontal( work, soleSub( leg->landing, leg->ball ) ) );
+	soleVec3 ahead = soleScale( lead, soleHorizontal( work, soleSub( leg->landing, leg->ball ) ) );
+	soleVec3 from = soleSub( leg->state->planePoint_w, work->root_w );
+	soleVec3 come = soleHorizontal( work, soleSub( leg->soleCenter, from ) );
+	float most = WAIT_MOST * leg->length;
+	float wait = leg->state->stepWait * most / ( soleLength( come ) + most / WAIT );
+	wait *= soleSmoothly( soleSaturate( time / WAIT_FROM ) );
+	wait *= 1.0f - soleSmoothly( soleSaturate( ( time - WAIT_FROM ) / WAIT_TIME ) );
+	return soleMulAdd( ahead, -wait, come );
 }
 
 /// Height of the upper hull of all clearances at a share.

@@ -34,6 +34,8 @@ void soleFindNarrowLift( const solePlaceWork* work, const soleLegWork* leg, cons
 /// How far a foot has to be ahead of the animation near its way's end, as a share of what is left of that: where it
 /// comes down behind an edge, its heel would go through that.
 float soleFindLead( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way );
+/// How far it has to wait behind that when it sets out right before a riser, through which its toes would go.
+float soleFindWait( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way );
 /// By how much it is ahead, horizontal.
 soleVec3 soleLeadWay( const solePlaceWork* work, const soleLegWork* leg );
 
