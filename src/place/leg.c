@@ -37,6 +37,7 @@
 #define EASE 0.15f  // of the cosine of the heel lift
 #define STANDS 0.6f // cosine of a leg's lean up to which a foot is not drawn in
 #define LEANS 0.3f
+#define ON_HEEL 0.05f // L: a ball that is animated this much higher than the heel is not on the ground
 
 // ------------------------------------------------------------------------------------------------------- two bones
 
@@ -175,7 +176,9 @@ static float soleFindHeelLift( const solePlaceWork* work, const soleLegWork* leg
 	// is the way to the hip, lifting the heel is of no help.
 	soleHalf best = roots[0].s * roots[0].s <= roots[1].s * roots[1].s ? roots[0] : roots[1];
 	// A foot in flight needs no heel lift: it hangs short of its target instead. The limit comes and goes with contact.
-	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift * leg->state->plantWeight );
+	// So does one that comes down on its heel: it has no ball on the ground to go round.
+	float onBall = 1.0f - soleSmoothly( soleSaturate( ( leg->ballRise - leg->heelRise ) / ( ON_HEEL * leg->length ) ) );
+	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift * leg->state->plantWeight * onBall );
 	return soleClampF( -best.s, 0.0f, most.s );
 }
 
