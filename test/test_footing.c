@@ -68,11 +68,42 @@ static void heelsThatStrikeOnTheWayDownStandOnTheirTreads( void** state )
 	testCloseWorld( &world );
 }
 
+/// A root that steps up has the probes of a foot that stands reach the step over its own, which its toes just touch: it
+/// stood there for a frame, 80 mm up, until its ground was read closely.
+static void aFootThatStandsStaysWhenTheNextStepComesIntoReach( void** state )
+{
+	(void)state;
+	testWorld world;
+	static testRun run;
+	testOpenWorld( "T03", &world );
+	testPlay( &s_actor, &world, soleFindAct( "T03", "0.45 stepped" ), 0, 60.0, &run );
+	float most = 0.0f;
+	int32_t held = 0;
+	for ( int32_t i = 1; i < run.frameCount; ++i )
+	{
+		static testBodyPose poses[2];
+		testFindBody( &run, i - 1, run.output, poses );
+		testFindBody( &run, i, run.output, poses + 1 );
+		for ( int32_t leg = 0; leg < 2; ++leg )
+		{
+			bool stands = ( run.flags[2 * i + leg] & run.flags[2 * i - 2 + leg] & (uint32_t)sole_legPlanted ) != 0;
+			float up = poses[1].legs[leg].sole[test_ball].y - poses[0].legs[leg].sole[test_ball].y;
+			most = stands ? fmaxf( most, up ) : most;
+			held += stands ? 1 : 0;
+		}
+	}
+	assert_true( held > 500 );
+	assert_true( most < 6e-3f );
+	testFreeRun( &run );
+	testCloseWorld( &world );
+}
+
 int main( void )
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test( aFootThatComesDownBeforeARiserDoesNotHop ),
 		cmocka_unit_test( heelsThatStrikeOnTheWayDownStandOnTheirTreads ),
+		cmocka_unit_test( aFootThatStandsStaysWhenTheNextStepComesIntoReach ),
 	};
 	return cmocka_run_group_tests( tests, setup, teardown );
 }

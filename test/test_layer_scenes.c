@@ -91,12 +91,14 @@ static void kneesFoldLessOnSteepStairs( void** state )
 {
 	(void)state;
 	static const char* const names[] = { "0.45 stepped", "0.45 ramped", "0.90 stepped", "0.90 ramped" };
+	// Slowly most of the fold is of a pelvis that is low for the foot behind; faster, of the height of the steps.
+	static const double least[] = { 2.0, 2.0, 5.0, 5.0 };
 	for ( int32_t i = 0; i < 4; ++i )
 	{
 		Effort efforts[2];
 		playBoth( "T03", names[i], false, true, efforts );
 		printf( "T03 %s: knees at most %.1f degrees, were %.1f\n", names[i], efforts[1].fold, efforts[0].fold );
-		assert_true( efforts[1].fold < efforts[0].fold - 5.0 );
+		assert_true( efforts[1].fold < efforts[0].fold - least[i] );
 		assert_true( efforts[1].reach < efforts[0].reach + 1e-3 );
 		// What is met without it is met with it.
 		assert_int_equal( efforts[1].failed & ~efforts[0].failed, 0 );

@@ -198,8 +198,8 @@ void soleFindBodyGround( solePlaceWork* work )
 	}
 }
 
-float soleForeseeBodyGround( const solePlaceWork* work, const soleLegWork* landing )
+float soleForeseeBodyGround( const solePlaceWork* work, soleVec3 travel, float time )
 {
-	soleBodyFit then = soleFitAfter( work, landing->travel, landing->stepInput.until );
+	soleBodyFit then = soleFitAfter( work, travel, time );
 	return soleFindLineHeight( work, &then );
 }

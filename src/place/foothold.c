@@ -188,13 +188,9 @@ static void soleFollowLanding( const solePlaceWork* work, const soleLegWork* leg
 }
 
 /// The foot leaves the plane on which it stood.
-static void soleSetOut( solePlaceWork* work, soleLegWork* leg )
+static void soleSetOut( soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
-	soleVec3 gradient = soleGradientOf( work, state->planeNormal_w );
-	solePlane plane = soleMakePlane( work, soleSub( state->planePoint_w, work->root_w ), gradient );
-	soleVec3 from = soleAtHeight( work, leg->soleCenter, solePlaneHeight( work, plane, leg->soleCenter ) );
-	state->planePoint_w = soleAdd( from, work->root_w );
 	state->flags |= (uint32_t)sole_statePlanned;
 	state->flags &= ~(uint32_t)sole_stateChosen;
 	for ( int32_t i = 0; i < 3; ++i )
@@ -237,7 +233,7 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	}
 	if ( ( state->flags & sole_statePlanned ) == 0 )
 	{
-		soleSetOut( work, leg );
+		soleSetOut( leg );
 	}
 	bool news = soleHasNews( work, leg );
 	if ( settled || news == false )
@@ -336,7 +332,9 @@ void soleChooseFootholds( solePlaceWork* work )
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
 		soleBridgeMiss( work, leg, old );
 		bool flew = ( state->flags & sole_statePlanned ) != 0;
-		soleVec3 stood = leg->touches ? soleSub( state->planePoint_w, work->root_w ) : leg->soleCenter;
+		// One that sets out does so from where it was.
+		bool stays = leg->touches || leg->foreseen;
+		soleVec3 stood = stays ? soleSub( state->planePoint_w, work->root_w ) : leg->soleCenter;
 		leg->standBefore = flew ? soleStandOnWay( work, leg ) : soleStandOnPlane( work, stood, old );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )

@@ -116,9 +116,11 @@ static void soleStandOn( solePlaceWork* work, soleLegWork* leg )
 	state->flags |= leg->asleep ? (uint32_t)sole_stateAsleep : 0u;
 	float change = over - state->chosenOver;
 	float most = CHANGE * leg->length;
-	if ( leg->hasGround == false || ( compared && ( change > most || change < -most ) ) )
+	bool changed = leg->hasGround == false || ( compared && ( change > most || change < -most ) );
+	state->flags &= changed ? ~(uint32_t)sole_stateChosen : ~0u;
+	// What is read closely in the next frame may be no more than a riser that the toes touch.
+	if ( changed && ( leg->hasGround == false || soleIsStepOver( work, leg, over, leg->share ) == false ) )
 	{
-		state->flags &= ~(uint32_t)sole_stateChosen;
 		return;
 	}
 	state->chosenOver = compared ? state->chosenOver : over;

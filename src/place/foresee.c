@@ -55,30 +55,52 @@ static bool soleForeseeRestep( solePlaceWork* work, soleLegWork* leg )
 	return true;
 }
 
+/// Who knows how long this leg's steps take: itself; on its first one, if it was seen to leave, the other of a biped.
+static const soleLegState* soleFindLearnt( const solePlaceWork* work, const soleLegWork* leg )
+{
+	const soleLegState* own = leg->state;
+	bool asks = !( own->learntFlight > 0.0f ) && ( own->flags & sole_stateLeft ) != 0 && work->legCount == 2;
+	return asks ? work->legs[1 - leg->index].state : own;
+}
+
+/// Where this leg came down the last time, seen from the root, world axes; where the other one did, as far ahead, but
+/// on its own side.
+static soleVec3 soleFindLearntPlace( const solePlaceWork* work, const soleLegWork* leg, const soleLegState* learnt )
+{
+	soleQuat rotation = soleNormalizeQuat( work->frame->root.rotation );
+	soleVec3 place = soleRotate( rotation, soleMul( work->frame->root.scale, learnt->learntPlace ) );
+	if ( learnt == leg->state )
+	{
+		return place;
+	}
+	soleVec3 along = soleNormalizeOr( work->rootVelocity, work->level );
+	soleVec3 own = soleHorizontal( work, soleFlatBall( work, leg ) );
+	return soleMulAdd( own, soleDot( soleSub( place, own ), along ), along );
+}
+
 static bool soleForeseeAgain( solePlaceWork* work, soleLegWork* leg )
 {
 	const soleLegState* state = leg->state;
+	const soleLegState* learnt = soleFindLearnt( work, leg );
 	bool told = leg->contactInput.heel >= 0.0f || leg->contactInput.toe >= 0.0f;
 	bool down = ( state->flags & ( sole_stateLocked | sole_stateHeelOn | sole_stateToeOn ) ) != 0;
-	float most = ALIKE * state->learntSpeed;
-	float apart = work->rootSpeed - state->learntSpeed;
+	float most = ALIKE * learnt->learntSpeed;
+	float apart = work->rootSpeed - learnt->learntSpeed;
 	bool alike = apart < most && apart > -most && work->rootSpeed > STRIDE * leg->length;
-	if ( told || down || alike == false || !( state->learntFlight > 0.0f ) || !( work->timeStep > 0.0f ) )
+	if ( told || down || alike == false || !( learnt->learntFlight > 0.0f ) || !( work->timeStep > 0.0f ) )
 	{
 		return false;
 	}
 	float since = state->time + work->timeStep;
-	float until = state->learntFlight - since;
+	float until = learnt->learntFlight - since;
 	if ( until < -OVERDUE )
 	{
 		return false;
 	}
 	leg->stepInput.since = since;
 	leg->stepInput.until = soleMaxF( until, NEARLY );
-	soleQuat rotation = soleNormalizeQuat( work->frame->root.rotation );
 	leg->travel = soleScale( leg->stepInput.until, work->rootVelocity );
-	soleVec3 place = soleRotate( rotation, soleMul( work->frame->root.scale, state->learntPlace ) );
-	leg->landing = soleAdd( place, leg->travel );
+	leg->landing = soleAdd( soleFindLearntPlace( work, leg, learnt ), leg->travel );
 	leg->landingForward = leg->forward;
 	return true;
 }

@@ -9,9 +9,10 @@
 // it no more, so that it does not bob with each of them; a spring takes it there. Limits bind by how far a leg is
 // planted, or how near to coming down: widened by D ( 1 - w ) / w they come and go continuously.
 //
-// The legs' limits come after the spring too: its lag over-extends no planted leg. Both move the pelvis at a limited
-// speed: where a foot comes down too low too suddenly, it hangs short of the ground for some frames, for a body that
-// jumps shows more than a foot that lands late.
+// The legs' limits come after the spring too: its lag over-extends no planted leg, and lifts no heel that stands; so
+// that they seldom bind the goal allows for what a foot that stands will need when the spring is there. Both move the
+// pelvis at a limited speed: where a foot comes down too low too suddenly, it hangs short of the ground for some
+// frames, for a body that jumps shows more than a foot that lands late.
 #include "place/place.h"
 
 #define SLACK 0.055f       // D, in leg lengths
@@ -79,6 +80,18 @@ static float soleFindLandingCeiling( const solePlaceWork* work, const soleLegWor
 	return soleOffsetFor( work, leg, ankle, longest ) - soleMinF( own, 0.0f );
 }
 
+/// The same of a foot that stands flat when the springs that are set out for now have come to their goals: the hip has
+/// moved on against the foot as it is animated, and the body is over other ground. As far as the animation itself would
+/// be out of reach by then it will have raised the heel.
+static float soleFindLaterCeiling( const solePlaceWork* work, const soleLegWork* leg, float longest )
+{
+	float time = work->settings->pelvis.halfLife;
+	soleVec3 travel = soleScale( time, soleSub( work->rootVelocity, leg->ballVelocity ) );
+	float own = soleOffsetFor( work, leg, soleSub( leg->ankle, travel ), longest );
+	float later = soleOffsetFor( work, leg, soleSub( leg->ankleTarget, travel ), longest ) - soleMinF( own, 0.0f );
+	return later - ( soleForeseeBodyGround( work, travel, time ) - work->bodyGround );
+}
+
 /// Where the pelvis has to be when a foot comes down, over the ground that the body will be over then. It goes there as
 /// the foot does, and begins early enough to be there in time: at the speed that the ground's own way leaves to it
 /// (none where that goes faster down; then it has to be lower beforehand), its springs' lag included.
@@ -86,7 +99,7 @@ static void soleFindLandingBounds(
     const solePlaceWork* work, const soleLegWork* leg, float longest, float over, soleBounds* bounds )
 {
 	const soleSettings* s = work->settings;
-	float ahead = soleForeseeBodyGround( work, leg ) - work->reference;
+	float ahead = soleForeseeBodyGround( work, leg->travel, leg->stepInput.until ) - work->reference;
 	float landing = soleFindLandingCeiling( work, leg, longest ) - ahead;
 	float near = soleSmoothly( soleSaturate( leg->stand.time ) );
 	float until = soleMaxF( leg->stepInput.until, LEAST_TIME );
@@ -113,9 +126,15 @@ static soleBounds soleFindBounds( const solePlaceWork* work, float over )
 		float planted = soleMaxF( leg->state->plantWeight, LEAST_WEIGHT );
 		float slack = soleSlack( leg, planted );
 		// Heels that the animation has begun to raise may be raised further; a foot that stands flat stays flat.
-		float raised = planted * soleHeelBegun( leg ) * work->settings->pelvis.heelFirst;
-		float ceiling = soleFindCeiling( work, leg, reach.soft, raised ) + slack;
-		float most = soleFindCeiling( work, leg, reach.hard, planted ) + slack;
+		float begun = soleHeelBegun( leg );
+		float raised = planted * begun;
+		float ceiling = soleFindCeiling( work, leg, reach.soft, raised * work->settings->pelvis.heelFirst ) + slack;
+		float longest = reach.soft + begun * ( reach.hard - reach.soft );
+		float most = soleFindCeiling( work, leg, longest, raised ) + slack;
+		if ( leg->planted && !( begun > 0.0f ) )
+		{
+			ceiling = soleMinF( ceiling, soleFindLaterCeiling( work, leg, reach.soft ) + slack );
+		}
 		float floor = soleOffsetFor( work, leg, leg->ankleTarget, shortest ) - slack;
 		if ( leg->planned )
 		{

@@ -496,8 +496,8 @@ void soleClassReach( solePlaceWork* work );
 void soleDemandSecondPose( solePlaceWork* work );
 /// The ground that the body is over.
 void soleFindBodyGround( solePlaceWork* work );
-/// The same when a leg will come down that is on its way.
-float soleForeseeBodyGround( const solePlaceWork* work, const soleLegWork* landing );
+/// The same some time later, when the pelvis has gone on and who is to be down by then is down.
+float soleForeseeBodyGround( const solePlaceWork* work, soleVec3 travel, float time );
 /// What the same demand does without one: lean, hips, knees.
 void soleAddLayer( solePlaceWork* work );
 /// One height that all legs can live with.
