@@ -33,6 +33,7 @@
 // knee bends for the swing and the need is over at once; the heel is lowered smoothly then (contact.c has what is
 // left).
 #include "place/parts.h"
+#include "place/stance.h"
 
 #define EASE 0.15f  // of the cosine of the heel lift
 #define STANDS 0.6f // cosine of a leg's lean up to which a foot is not drawn in
@@ -177,7 +178,7 @@ static float soleFindHeelLift( const solePlaceWork* work, const soleLegWork* leg
 	soleHalf best = roots[0].s * roots[0].s <= roots[1].s * roots[1].s ? roots[0] : roots[1];
 	// A foot in flight needs no heel lift: it hangs short of its target instead. The limit comes and goes with contact.
 	// So does one that comes down on its heel: it has no ball on the ground to go round.
-	float onBall = 1.0f - soleSmoothly( soleSaturate( ( leg->ballRise - leg->heelRise ) / ( ON_HEEL * leg->length ) ) );
+	float onBall = 1.0f - soleIsOnHeel( leg, ON_HEEL );
 	soleHalf most = soleHalfFromAngle( work->settings->leg.heelLift * leg->state->plantWeight * onBall );
 	return soleClampF( -best.s, 0.0f, most.s );
 }

@@ -12,11 +12,13 @@
 //   locked:  anchor's place = lockPoint + slide             slide decays to 0: what was left of the foot's motion
 // At each change lockPoint and slide are set so that place and velocity go on unbroken; nothing is low-passed, so a
 // locked foot has no lag and stands still to the bit once slide has died away. Headings are treated alike.
+#include "place/stance.h"
 #include "place/way.h"
 
 #define AHEAD 3.0f    // L/s: fastest that a foot goes ahead of the animation
 #define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
 #define PATIENCE 2.0f // times the strain at which a lock is given up, while the foot waits to step over
+#define ON_HEEL 0.03f // L: a ball this much higher than the heel is not where it will come down
 #define SHORT 0.1f    // L: a leg whose foot can't come nearer than this to where it is held gives up
 
 /// The turn about up that takes one heading to another.
@@ -65,7 +67,7 @@ static soleVec3 soleFreePoint( const solePlaceWork* work, const soleLegWork* leg
 	}
 	soleVec3 byHeel = soleHeldPoint( work, leg, true );
 	byHeel = soleMulAdd( byHeel, leg->rig->heelBehind * work->rootScale, leg->forward );
-	return soleLerp( ball, byHeel, soleIsOnHeel( leg ) );
+	return soleLerp( ball, byHeel, soleIsOnHeel( leg, ON_HEEL ) );
 }
 
 /// How fast the animation moves a place by which a foot is held.

@@ -327,21 +327,6 @@ static inline float soleSmoothly( float t )
 	return t * t * t * ( 10.0f - t * ( 15.0f - 6.0f * t ) );
 }
 
-/// How far a foot is on its heel alone as it is animated, 0 to 1: its ball is so much higher that it bears nothing.
-static inline float soleIsOnHeel( const soleLegWork* leg )
-{
-	const float high = 0.03f; // L
-	return soleSmoothly( soleSaturate( ( leg->ballRise - leg->heelRise ) / ( high * leg->length ) ) );
-}
-
-/// How far a foot is on its toe tip alone as it is animated: sine of the angle by which its toes stand up.
-static inline float soleFindTiptoe( const solePlaceWork* work, const soleLegWork* leg )
-{
-	float toe = leg->rig->toeAhead * work->rootScale;
-	float over = leg->ballRise - soleMaxF( leg->tipRise, -leg->sunk );
-	return toe > 0.0f ? soleSaturate( over / toe ) : 0.0f;
-}
-
 static inline float soleLongestLeg( const solePlaceWork* work )
 {
 	float longest = 0.0f;
