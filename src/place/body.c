@@ -18,7 +18,10 @@
 // known little is learnt as fast at every rate.
 #include "place/place.h"
 
+#include <float.h>
+
 #define LEARN_TIME 0.0167f // s
+#define BEYOND 0.3f        // L: the body is over no ground that is so much higher or lower than what it stands on
 #define LEAST_SPREAD 0.03f // L: of what the body stands on, for it to have a slope
 
 /// Means and covariances of the places that the body stands on, seen from the pelvis.
@@ -29,11 +32,13 @@ typedef struct soleBodyFit
 	float weight;
 	float u, v, h;
 	float uu, uv, vv, uh, vh;
+	float low, high; // of the places, over the pelvis
 } soleBodyFit;
 
 static soleBodyFit soleBeginFit( const solePlaceWork* work, soleVec3 pelvis )
 {
-	return ( soleBodyFit ){ .pelvis = pelvis, .ahead = work->level, .aside = soleCross( work->up, work->level ) };
+	soleVec3 aside = soleCross( work->up, work->level );
+	return ( soleBodyFit ){ .pelvis = pelvis, .ahead = work->level, .aside = aside, .low = FLT_MAX, .high = -FLT_MAX };
 }
 
 static void soleAddPlace( const solePlaceWork* work, soleVec3 place, float weight, soleBodyFit* f )
@@ -49,6 +54,8 @@ static void soleAddPlace( const solePlaceWork* work, soleVec3 place, float weigh
 	f->vv += weight * dv * dv;
 	f->uh += weight * du * dh;
 	f->vh += weight * dv * dh;
+	f->low = weight > 0.0f ? soleMinF( f->low, dh ) : f->low;
+	f->high = weight > 0.0f ? soleMaxF( f->high, dh ) : f->high;
 }
 
 /// The place that a leg came from and the one that it goes to, by how far it is on its way.
@@ -124,7 +131,10 @@ static float soleFindLineHeight( const solePlaceWork* work, const soleBodyFit* f
 	soleHalf axis = soleMakeHalf( f->uu - f->vv, 2.0f * f->uv );
 	float spread = axis.c * axis.c * f->uu + 2.0f * axis.c * axis.s * f->uv + axis.s * axis.s * f->vv;
 	float slope = ( axis.c * f->uh + axis.s * f->vh ) / ( spread + least * least );
-	return soleDot( f->pelvis, work->up ) + f->h - slope * ( axis.c * f->u + axis.s * f->v );
+	// Two that are above each other say nothing of the slope, whatever their line does.
+	float beyond = BEYOND * soleLongestLeg( work );
+	float height = f->h - slope * ( axis.c * f->u + axis.s * f->v );
+	return soleDot( f->pelvis, work->up ) + soleClampF( height, f->low - beyond, f->high + beyond );
 }
 
 /// The lowest ground under a foot; the reference height where there is none. What it does is not foreseen: the pelvis

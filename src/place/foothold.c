@@ -223,11 +223,17 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	bool settled = soleIsSettled( work, leg );
 	if ( settled == false && soleChooseStep( work, leg ) == false )
 	{
-		// Nothing is seen there: the ground that the foot comes from goes on, until it asks under itself.
-		leg->hasGround = leg->hadGround;
-		leg->missed = true;
-		leg->raw = old;
-		leg->toeSlope = state->toeSlope;
+		// Nothing is seen there: the ground that the foot comes from goes on, until it asks under itself; but not where
+		// none would be looked for.
+		float over = solePlaneHeight( work, old, leg->soleCenter ) - work->reference;
+		const soleSettings* s = work->settings;
+		bool near = over < s->probe.stepUp * leg->length && over > -s->probe.stepDown * leg->length;
+		leg->hasGround = leg->hadGround && near;
+		leg->missed = near;
+		soleVec3 none = soleVec( 0.0f, 0.0f, 0.0f );
+		solePlane level = soleMakePlane( work, soleAtHeight( work, leg->soleCenter, work->reference ), none );
+		leg->raw = near ? old : level;
+		leg->toeSlope = near ? state->toeSlope : 0.0f;
 		state->flags &= ~(uint32_t)sole_statePlanned;
 		return;
 	}
@@ -332,10 +338,8 @@ void soleChooseFootholds( solePlaceWork* work )
 		leg->hadGround = ( state->flags & sole_stateGround ) != 0;
 		soleBridgeMiss( work, leg, old );
 		bool flew = ( state->flags & sole_statePlanned ) != 0;
-		// One that sets out does so from where it was.
-		bool stays = leg->touches || leg->foreseen;
-		soleVec3 stood = stays ? soleSub( state->planePoint_w, work->root_w ) : leg->soleCenter;
-		leg->standBefore = flew ? soleStandOnWay( work, leg ) : soleStandOnPlane( work, stood, old );
+		soleVec3 was = soleSub( state->planePoint_w, work->root_w );
+		leg->standBefore = soleStandOnWay( work, leg );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
@@ -345,6 +349,9 @@ void soleChooseFootholds( solePlaceWork* work )
 		{
 			soleFollowGround( work, leg );
 		}
+		// One that sets out does so from where it was.
+		soleVec3 stood = leg->touches || leg->planned ? was : leg->soleCenter;
+		leg->standBefore = flew ? leg->standBefore : soleStandOnPlane( work, stood, old );
 		leg->stand = leg->planned ? soleStandOnWay( work, leg )
 		                          : soleStandOnPlane( work, soleStandPlace( work, leg ), leg->raw );
 		state->flags &= ~(uint32_t)sole_stateGround;

@@ -324,6 +324,10 @@ void soleMovePelvis( solePlaceWork* work )
 		state->pelvisLead.value += unforeseen;
 		soleFollow( work, bounds, goal, s->pelvis.speed * legLength * work->timeStep );
 	}
+	// Wherever feet are taken to stand: a body is no further from its root than probes and its own limits reach.
+	float lowest = -( s->probe.stepDown + s->pelvis.down ) * legLength;
+	float highest = ( s->probe.stepUp + s->pelvis.up ) * legLength;
+	state->pelvis.value = soleClampF( state->pelvis.value, lowest - over, highest - over );
 	state->bodyGround = work->bodyGround;
 	work->pelvisShift = soleFiniteOr( work->weight * ( over + state->pelvis.value ), 0.0f );
 	work->pelvisWanted = soleMulAdd( work->balance, work->pelvisShift, work->up );
