@@ -163,6 +163,16 @@ static void thePelvisGoesOnWhenAFootLeaves( void** state )
 	testCloseWorld( &world );
 }
 
+/// Up two treads a step a foot passes its own hip nearer than the leg folds. That turned thighs by 45 degrees in a
+/// frame, and those of a crouching walk by 110; 33 and 39 now.
+static void aFootThatPassesItsHipGoesBelow( void** state )
+{
+	(void)state;
+	testGates gates = measure( "T03", "1.40 ramped", true );
+	assert_true( gates.turn.value < 36.0 );
+	assert_true( gates.move.value < 0.16 );
+}
+
 int main( void )
 {
 	const struct CMUnitTest tests[] = {
@@ -178,6 +188,7 @@ int main( void )
 		cmocka_unit_test( theFirstStepOfAFootIsForeseenByTheOther ),
 		cmocka_unit_test( heelsThatStandStayDown ),
 		cmocka_unit_test( thePelvisGoesOnWhenAFootLeaves ),
+		cmocka_unit_test( aFootThatPassesItsHipGoesBelow ),
 	};
 	return cmocka_run_group_tests( tests, setup, teardown );
 }

@@ -18,6 +18,11 @@
 // Hanging. Drawn towards its hip, a foot that stands would slide: so it goes straight up from its place, until the leg
 // is as long as it may be. With h the level part of d1 its ankle is  sqrt( L^2 - h^2 )  under the hip.
 //
+// Folding. A foot that passes close by its hip on its way up high steps would turn the leg as fast as the line from hip
+// to foot turns. It goes below, on a parabola  f - h^2 / f  under the hip, f a little more than the leg's shortest
+// length and h its level distance, as far as its own plane lets it. The sphere that the leg folds to is as steep as a
+// wall at its rim.
+//
 // Stretch, where it is allowed, makes all bones of the leg longer before the soft reach falls short; twist, where it is
 // wanted, turns the whole leg about the line from hip to ankle, which moves neither.
 //
@@ -38,6 +43,8 @@
 #define EASE 0.15f  // of the cosine of the heel lift
 #define STANDS 0.6f // cosine of a leg's lean up to which a foot is not drawn in
 #define LEANS 0.3f
+#define HIGH 0.3f     // L over the hip: a foot animated so high has no business below it
+#define ROOM 1.15f    // times the shortest leg
 #define ON_HEEL 0.05f // L: a ball that is animated this much higher than the heel is not on the ground
 
 // ------------------------------------------------------------------------------------------------------- two bones
@@ -246,6 +253,22 @@ static soleVec3 soleHangOver( const solePlaceWork* work, const soleLegWork* leg,
 	return soleLerp( drawn, soleMulAdd( soleAdd( leg->hip, level ), -upright, work->up ), share );
 }
 
+/// Where a foot in flight goes that would come nearer to its hip than the leg folds: lower, below the hip, or the leg
+/// would whirl round when the foot goes past it.
+static soleVec3 soleTakeUnder( const solePlaceWork* work, const soleLegWork* leg, soleVec3 target )
+{
+	float fold = ROOM * work->settings->leg.fold * leg->length;
+	soleVec3 d = soleSub( target, leg->hip );
+	float down = -soleDot( d, work->up );
+	soleVec3 level = soleMulAdd( d, down, work->up );
+	float least = soleMaxF( fold - soleDot( level, level ) / soleMaxF( fold, 1e-4f * leg->length ), 0.0f );
+	float share = leg->touches ? 0.0f : 1.0f - leg->state->plantWeight;
+	share *= soleSaturate( 1.0f + down / ( HIGH * leg->length ) );
+	soleVec3 plane = soleSub( leg->out->planePoint_w, work->root_w );
+	float over = soleDot( soleSub( target, plane ), work->up ) - leg->rig->ankleHeight * work->rootScale;
+	return soleMulAdd( target, -share * soleClampF( least - down, 0.0f, soleMaxF( over, 0.0f ) ), work->up );
+}
+
 void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def )
 {
 	int32_t knee = leg->rig->kneeIndex;
@@ -280,6 +303,7 @@ void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* 
 		leg->out->flags |= (uint32_t)sole_legSoftened;
 		leg->out->flags |= wanted > hard ? (uint32_t)sole_legOutOfReach : 0u;
 	}
+	def->target = soleHoldsFeet( work ) ? soleTakeUnder( work, leg, def->target ) : def->target;
 	def->fold = soleMinF( work->settings->leg.fold * leg->length, soleDistance( def->hip, def->ankle ) ) * perBone;
 	leg->out->stretch = stretch;
 }
