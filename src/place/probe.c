@@ -72,7 +72,9 @@ static bool soleIsDue( const solePlaceWork* work, const soleLegWork* leg, float 
 
 static bool soleHasJustLeft( const solePlaceWork* work, const soleLegWork* leg )
 {
-	return leg->stepInput.since >= LEFT_TIME && leg->stepInput.since - work->timeStep < LEFT_TIME;
+	// The first frame asks for the foothold: where frames are long the second one looks.
+	float before = leg->stepInput.since - work->timeStep;
+	return leg->stepInput.since >= LEFT_TIME && before < soleMaxF( LEFT_TIME, 1.01f * work->timeStep );
 }
 
 /// A foothold is chosen anew when the animation means another, and a few times on the way there.
