@@ -216,6 +216,21 @@ static void soleLiftStep( const solePlaceWork* work, soleLegWork* leg, const sol
 	}
 }
 
+/// Nothing is seen where a foot is to land: the ground that it comes from goes on, until it asks under itself; but not
+/// where none would be looked for.
+static void soleLoseSight( const solePlaceWork* work, soleLegWork* leg, solePlane old )
+{
+	const soleSettings* s = work->settings;
+	float over = solePlaneHeight( work, old, leg->soleCenter ) - work->reference;
+	bool near = over < s->probe.stepUp * leg->length && over > -s->probe.stepDown * leg->length;
+	soleVec3 under = soleAtHeight( work, leg->soleCenter, work->reference );
+	leg->hasGround = leg->hadGround && near;
+	leg->missed = near;
+	leg->raw = near ? old : soleMakePlane( work, under, soleVec( 0.0f, 0.0f, 0.0f ) );
+	leg->toeSlope = near ? leg->state->toeSlope : 0.0f;
+	leg->state->flags &= ~(uint32_t)sole_statePlanned;
+}
+
 /// Sets out, or goes on, to the next foothold.
 static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 {
@@ -223,18 +238,7 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	bool settled = soleIsSettled( work, leg );
 	if ( settled == false && soleChooseStep( work, leg ) == false )
 	{
-		// Nothing is seen there: the ground that the foot comes from goes on, until it asks under itself; but not where
-		// none would be looked for.
-		float over = solePlaneHeight( work, old, leg->soleCenter ) - work->reference;
-		const soleSettings* s = work->settings;
-		bool near = over < s->probe.stepUp * leg->length && over > -s->probe.stepDown * leg->length;
-		leg->hasGround = leg->hadGround && near;
-		leg->missed = near;
-		soleVec3 none = soleVec( 0.0f, 0.0f, 0.0f );
-		solePlane level = soleMakePlane( work, soleAtHeight( work, leg->soleCenter, work->reference ), none );
-		leg->raw = near ? old : level;
-		leg->toeSlope = near ? state->toeSlope : 0.0f;
-		state->flags &= ~(uint32_t)sole_statePlanned;
+		soleLoseSight( work, leg, old );
 		return;
 	}
 	if ( ( state->flags & sole_statePlanned ) == 0 )
@@ -261,7 +265,7 @@ static void solePlanStep( solePlaceWork* work, soleLegWork* leg, solePlane old )
 	{
 		soleLiftStep( work, leg, &way, news );
 		bool before = news && state->stepTime < SOLE_LEAD_FROM;
-		float wait = state->stepTime < 0.25f ? soleFindWait( work, leg, &way ) : 0.0f;
+		float wait = state->stepTime < SOLE_WAIT_UNTIL ? soleFindWait( work, leg, &way ) : 0.0f;
 		state->stepWait = soleMaxF( state->stepWait, wait );
 		state->stepLead = before ? soleFindLead( work, leg, &way ) : state->stepLead;
 	}

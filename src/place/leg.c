@@ -269,6 +269,22 @@ static soleVec3 soleTakeUnder( const solePlaceWork* work, const soleLegWork* leg
 	return soleMulAdd( target, -share * soleClampF( least - down, 0.0f, soleMaxF( over, 0.0f ) ), work->up );
 }
 
+/// Where a foot goes that is out of its leg's reach, at either end.
+static void soleGuideFoot( const solePlaceWork* work, soleLegWork* leg, float hard, soleTwoBoneDef* def )
+{
+	float wanted = soleDistance( leg->hip, leg->ankleGoal );
+	float soft = hard - def->softZone;
+	if ( wanted > soft && leg->state->plantWeight > 0.0f )
+	{
+		// As short as the two bones would make it.
+		def->target = soleHangOver( work, leg, soleSoften( wanted, soft, hard ) );
+		def->softZone = 0.0f;
+		leg->out->flags |= (uint32_t)sole_legSoftened;
+		leg->out->flags |= wanted > hard ? (uint32_t)sole_legOutOfReach : 0u;
+	}
+	def->target = soleTakeUnder( work, leg, def->target );
+}
+
 void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def )
 {
 	int32_t knee = leg->rig->kneeIndex;
@@ -292,18 +308,10 @@ void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* 
 	float perBone = bones > 0.0f ? stretch / bones : 0.0f;
 	def->reach = soleMinF( reach.hard * perBone, 1.0f );
 	def->softZone = reach.hard - reach.soft;
-	float wanted = soleDistance( leg->hip, leg->ankleGoal );
-	float hard = stretch * reach.hard;
-	float soft = hard - def->softZone;
-	if ( wanted > soft && leg->state->plantWeight > 0.0f && soleHoldsFeet( work ) )
+	if ( soleHoldsFeet( work ) )
 	{
-		// As short as the two bones would make it.
-		def->target = soleHangOver( work, leg, soleSoften( wanted, soft, hard ) );
-		def->softZone = 0.0f;
-		leg->out->flags |= (uint32_t)sole_legSoftened;
-		leg->out->flags |= wanted > hard ? (uint32_t)sole_legOutOfReach : 0u;
+		soleGuideFoot( work, leg, stretch * reach.hard, def );
 	}
-	def->target = soleHoldsFeet( work ) ? soleTakeUnder( work, leg, def->target ) : def->target;
 	def->fold = soleMinF( work->settings->leg.fold * leg->length, soleDistance( def->hip, def->ankle ) ) * perBone;
 	leg->out->stretch = stretch;
 }

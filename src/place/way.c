@@ -27,7 +27,6 @@
 #define LEAD_END 0.88f    // from which on it goes
 #define WAIT 0.8f         // share of what it has come that a foot waits by at first
 #define WAIT_MOST 0.08f   // L: and at last
-#define WAIT_FROM 0.25f   // share of the time until which it waits
 #define WAIT_TIME 0.35f   // in which it catches up
 #define WAIT_NEAR 0.15f   // share of the way in which it meets a riser
 #define STEEP 0.7f        // rise per length: slopes are no risers
@@ -218,8 +217,8 @@ soleVec3 soleLeadWay( const solePlaceWork* work, const soleLegWork* leg )
 	soleVec3 come = soleHorizontal( work, soleSub( leg->soleCenter, from ) );
 	float most = WAIT_MOST * leg->length;
 	float wait = leg->state->stepWait * most / ( soleLength( come ) + most / WAIT );
-	wait *= soleSmoothly( soleSaturate( time / WAIT_FROM ) );
-	wait *= 1.0f - soleSmoothly( soleSaturate( ( time - WAIT_FROM ) / WAIT_TIME ) );
+	wait *= soleSmoothly( soleSaturate( time / SOLE_WAIT_UNTIL ) );
+	wait *= 1.0f - soleSmoothly( soleSaturate( ( time - SOLE_WAIT_UNTIL ) / WAIT_TIME ) );
 	return soleMulAdd( ahead, -wait, come );
 }
 

@@ -6,7 +6,8 @@
 
 #include "place/place.h"
 
-#define SOLE_LEAD_FROM 0.55f // share of the time until which a foot goes as the animation does
+#define SOLE_WAIT_UNTIL 0.25f // share of the time up to which a foot may wait
+#define SOLE_LEAD_FROM 0.55f  // from which on it may go ahead
 
 /// From where to where, and how far along.
 typedef struct soleWay
