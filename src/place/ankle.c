@@ -171,10 +171,14 @@ static void soleRetarget( const solePlaceWork* work, soleLegWork* leg, soleQuat 
 	soleVec3 arm = soleInvRotate( wanted, soleSub( leg->ankleGoal, leg->pivotTarget ) );
 	soleVec3 normal = leg->out->planeNormal_w;
 	float raise = soleLowestPoint( work, leg, wanted, normal ) - soleLowestPoint( work, leg, turned, normal );
-	soleVec3 heel = soleSub( soleHeelArm( leg, wanted ), soleHeelArm( leg, turned ) );
-	soleVec3 tip = soleSub( soleTipArm( work, leg, wanted ), soleTipArm( work, leg, turned ) );
+	soleVec3 back = soleSub( soleHeelArm( leg, wanted ), soleHeelArm( leg, turned ) );
+	back = soleScale( soleStandsOnHeel( leg ), back );
 	float tiptoe = soleSmoothly( soleSaturate( soleFindTiptoe( work, leg ) / ON_TIP ) ) * leg->state->plantWeight;
-	soleVec3 back = soleAdd( soleScale( soleStandsOnHeel( leg ), heel ), soleScale( tiptoe, tip ) );
+	if ( tiptoe > 0.0f )
+	{
+		soleVec3 tip = soleSub( soleTipArm( work, leg, wanted ), soleTipArm( work, leg, turned ) );
+		back = soleMulAdd( back, tiptoe, tip );
+	}
 	back = soleMulAdd( back, -soleDot( back, normal ), normal );
 	leg->pivotTarget = soleMulAdd( soleAdd( leg->pivotTarget, back ), raise, normal );
 	leg->ankleTarget = soleAdd( leg->pivotTarget, soleRotate( turned, arm ) );

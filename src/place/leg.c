@@ -272,6 +272,8 @@ static soleVec3 soleTakeUnder( const solePlaceWork* work, const soleLegWork* leg
 /// Where a foot goes that is out of its leg's reach, at either end.
 static void soleGuideFoot( const solePlaceWork* work, soleLegWork* leg, float hard, soleTwoBoneDef* def )
 {
+	leg->ankleGoal = soleTakeUnder( work, leg, leg->ankleGoal );
+	def->target = leg->ankleGoal;
 	float wanted = soleDistance( leg->hip, leg->ankleGoal );
 	float soft = hard - def->softZone;
 	if ( wanted > soft && leg->state->plantWeight > 0.0f )
@@ -282,7 +284,6 @@ static void soleGuideFoot( const solePlaceWork* work, soleLegWork* leg, float ha
 		leg->out->flags |= (uint32_t)sole_legSoftened;
 		leg->out->flags |= wanted > hard ? (uint32_t)sole_legOutOfReach : 0u;
 	}
-	def->target = soleTakeUnder( work, leg, def->target );
 }
 
 void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* def )
