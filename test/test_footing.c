@@ -9,6 +9,12 @@
 
 #define RISE 0.17f // of T02
 
+static void play( const char* scene, const char* act, testWorld* world, testRun* run )
+{
+	testOpenWorld( scene, world );
+	testPlay( &s_actor, world, soleFindAct( scene, act ), 0, 60.0, run );
+}
+
 /// Ground that a foot's toes would be over soon raises a foot that passes over it. This one comes down before the first
 /// riser, which raised it by 38 mm for four frames, and the pelvis by 16.
 static void aFootThatComesDownBeforeARiserDoesNotHop( void** state )
@@ -16,8 +22,7 @@ static void aFootThatComesDownBeforeARiserDoesNotHop( void** state )
 	(void)state;
 	testWorld world;
 	static testRun run;
-	testOpenWorld( "T02", &world );
-	testPlay( &s_actor, &world, soleFindAct( "T02", "1.40 stepped" ), 0, 60.0, &run );
+	play( "T02", "1.40 stepped", &world, &run );
 	float highest = 0.0f, pelvis = 0.0f;
 	int32_t down = 0;
 	for ( int32_t i = 0; i < run.frameCount && run.times[i] < 0.6; ++i )
@@ -45,8 +50,7 @@ static void heelsThatStrikeOnTheWayDownStandOnTheirTreads( void** state )
 	(void)state;
 	testWorld world;
 	static testRun run;
-	testOpenWorld( "T02", &world );
-	testPlay( &s_actor, &world, soleFindAct( "T02", "0.52 stepped" ), 0, 60.0, &run );
+	play( "T02", "0.52 stepped", &world, &run );
 	float worst = 0.0f;
 	int32_t planted = 0;
 	for ( int32_t i = 0; i < run.frameCount; ++i )
@@ -75,8 +79,7 @@ static void aFootThatStandsStaysWhenTheNextStepComesIntoReach( void** state )
 	(void)state;
 	testWorld world;
 	static testRun run;
-	testOpenWorld( "T03", &world );
-	testPlay( &s_actor, &world, soleFindAct( "T03", "0.45 stepped" ), 0, 60.0, &run );
+	play( "T03", "0.45 stepped", &world, &run );
 	float most = 0.0f;
 	int32_t held = 0;
 	for ( int32_t i = 1; i < run.frameCount; ++i )

@@ -115,8 +115,8 @@ static void soleSetBox( soleGroundNode* node, int child, const soleBox* box )
 	}
 }
 
-/// Makes the node of a task and puts the children that are no leaves onto the stack. Leaves are named by their first
-/// triangle for now. @return false when out of memory.
+/// Makes the node of a task and puts the children that are no leaves onto the stack. A leaf is named by its first
+/// triangle, until its block is packed. @return false when out of memory.
 static bool soleMakeNode( soleTreeBuilder* builder, const soleTask* task, soleTask* stack, int* stackCount )
 {
 	soleRange children[SOLE_GROUND_NODE_SIZE];

@@ -15,9 +15,8 @@
 #include "place/parts.h"
 #include "place/stance.h"
 
-#define ON_HEEL 0.03f // L: a ball that is animated this much higher than the heel bears nothing
-#define ON_TIP 0.2f   // sine of the angle from which on toes stand on their tip
-#define PLAY 0.024f   // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
+#define ON_TIP 0.2f // sine of the angle from which on toes stand on their tip
+#define PLAY 0.024f // 2.8 degrees, sine of half the angle, about each of the foot's axes and to either side
 
 typedef struct soleAnkleTurn
 {
@@ -161,7 +160,7 @@ static float soleStandsOnHeel( const soleLegWork* leg )
 	{
 		return ( leg->state->flags & sole_stateByHeel ) != 0 ? 1.0f : 0.0f;
 	}
-	return soleIsOnHeel( leg, ON_HEEL );
+	return soleIsOnHeel( leg, SOLE_ON_HEEL );
 }
 
 /// Sets the targets of a foot that was turned from `wanted` to `turned`: its lowest point stays as high as it was

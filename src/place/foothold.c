@@ -343,7 +343,7 @@ void soleChooseFootholds( solePlaceWork* work )
 		soleBridgeMiss( work, leg, old );
 		bool flew = ( state->flags & sole_statePlanned ) != 0;
 		soleVec3 was = soleSub( state->planePoint_w, work->root_w );
-		leg->standBefore = soleStandOnWay( work, leg );
+		soleStand onWay = soleStandOnWay( work, leg );
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{
@@ -355,7 +355,7 @@ void soleChooseFootholds( solePlaceWork* work )
 		}
 		// One that sets out does so from where it was.
 		soleVec3 stood = leg->touches || leg->planned ? was : leg->soleCenter;
-		leg->standBefore = flew ? leg->standBefore : soleStandOnPlane( work, stood, old );
+		leg->standBefore = flew ? onWay : soleStandOnPlane( work, stood, old );
 		leg->stand = leg->planned ? soleStandOnWay( work, leg )
 		                          : soleStandOnPlane( work, soleStandPlace( work, leg ), leg->raw );
 		state->flags &= ~(uint32_t)sole_stateGround;

@@ -245,7 +245,7 @@ static soleVec3 soleHangOver( const solePlaceWork* work, const soleLegWork* leg,
 	soleVec3 d = soleSub( leg->ankleGoal, leg->hip );
 	float length = soleLength( d );
 	float down = -soleDot( d, work->up );
-	soleVec3 level = soleMulAdd( d, down, work->up );
+	soleVec3 level = soleHorizontal( work, d );
 	float upright = soleSqrtF( soleMaxF( reached * reached - soleDot( level, level ), 0.0f ) );
 	float share = soleSmoothly( soleSaturate( ( upright / reached - LEANS ) / ( STANDS - LEANS ) ) );
 	share *= down > 0.0f ? leg->state->plantWeight : 0.0f;
@@ -260,7 +260,7 @@ static soleVec3 soleTakeUnder( const solePlaceWork* work, const soleLegWork* leg
 	float fold = ROOM * work->settings->leg.fold * leg->length;
 	soleVec3 d = soleSub( target, leg->hip );
 	float down = -soleDot( d, work->up );
-	soleVec3 level = soleMulAdd( d, down, work->up );
+	soleVec3 level = soleHorizontal( work, d );
 	float least = soleMaxF( fold - soleDot( level, level ) / soleMaxF( fold, 1e-4f * leg->length ), 0.0f );
 	float share = leg->touches ? 0.0f : 1.0f - leg->state->plantWeight;
 	share *= soleSaturate( 1.0f + down / ( HIGH * leg->length ) );

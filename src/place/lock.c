@@ -18,7 +18,6 @@
 #define AHEAD 3.0f    // L/s: fastest that a foot goes ahead of the animation
 #define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
 #define PATIENCE 2.0f // times the strain at which a lock is given up, while the foot waits to step over
-#define ON_HEEL 0.03f // L: a ball this much higher than the heel is not where it will come down
 #define SHORT 0.1f    // L: a leg whose foot can't come nearer than this to where it is held gives up
 
 /// The turn about up that takes one heading to another.
@@ -44,7 +43,7 @@ static float soleFindRoll( const solePlaceWork* work, const soleLegWork* leg )
 static soleVec3 soleBallOnFloor( const solePlaceWork* work, const soleLegWork* leg )
 {
 	soleVec3 ball = soleOnFloor( work, leg->ball, leg->ballRise );
-	return soleMulAdd( ball, -soleFindRoll( work, leg ), leg->forward );
+	return soleMulAdd( ball, -leg->rolled, leg->forward );
 }
 
 /// The anchor of a foot that is held by its heel, or by its ball.
@@ -67,7 +66,7 @@ static soleVec3 soleFreePoint( const solePlaceWork* work, const soleLegWork* leg
 	}
 	soleVec3 byHeel = soleHeldPoint( work, leg, true );
 	byHeel = soleMulAdd( byHeel, leg->rig->heelBehind * work->rootScale, leg->forward );
-	return soleLerp( ball, byHeel, soleIsOnHeel( leg, ON_HEEL ) );
+	return soleLerp( ball, byHeel, soleIsOnHeel( leg, SOLE_ON_HEEL ) );
 }
 
 /// How fast the animation moves a place by which a foot is held.
@@ -77,7 +76,7 @@ static soleVec3 soleAnchorVelocity( const solePlaceWork* work, const soleLegWork
 	{
 		return byHeel ? leg->heelVelocity : leg->ballVelocity;
 	}
-	float rolled = soleFindRoll( work, leg ) - leg->state->rolled;
+	float rolled = leg->rolled - leg->state->rolled;
 	return soleMulAdd( leg->ballVelocity, -rolled / work->timeStep, leg->forward );
 }
 
@@ -295,6 +294,7 @@ static bool soleIsSettled( const solePlaceWork* work, const soleLegWork* leg )
 static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 {
 	soleLegState* state = leg->state;
+	leg->rolled = soleFindRoll( work, leg );
 	bool possible = soleHoldsFeet( work ) && leg->touches && leg->hasGround && leg->weight > 0.0f &&
 	    leg->weight == leg->weightBefore;
 	if ( ( state->flags & sole_stateLocked ) != 0 )
@@ -321,7 +321,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 		}
 	}
 	leg->planted = ( state->flags & sole_stateLocked ) != 0;
-	state->rolled = soleFindRoll( work, leg );
+	state->rolled = leg->rolled;
 }
 
 void soleUpdateLocks( solePlaceWork* work )

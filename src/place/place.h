@@ -154,6 +154,7 @@ typedef struct soleLegWork
 	soleVec3 anchor;      // animated point that is held or led: ball or heel, dropped on the clip's floor
 	soleVec3 anchorGoal;  // where it goes, horizontal place
 	soleQuat turn;        // heading offset about up
+	float rolled;         // how far ahead its ball has gone with the toes' roll
 	soleVec3 anchorShift; // puts the ankle of a tilted foot over its animated place, horizontal
 
 	// target
@@ -178,7 +179,7 @@ typedef struct soleBounds
 {
 	float ceiling; // no leg is longer than is good, no heel raised that was not
 	float landing; // no leg that comes down will be, as far as it is on its way
-	float most;    // no leg is longer than it can be with its heel raised
+	float most;    // no leg is longer than it can be with its heel raised as far as its animation has begun to
 	float floor;
 	float step; // where the steps under way need it, when they are over. 0: no lower than it is animated
 	bool any, stepping;

@@ -6,6 +6,8 @@
 
 #include "place/place.h"
 
+#define SOLE_ON_HEEL 0.03f // L: a ball that is animated this much higher than the heel bears nothing
+
 /// How far a foot is on its heel alone, 0 to 1.
 /// @param high L: a ball that is so much higher bears nothing
 static inline float soleIsOnHeel( const soleLegWork* leg, float high )

@@ -180,10 +180,15 @@ static float soleFindHindrance( const solePlaceWork* work, const soleLegWork* le
 	return highest;
 }
 
+/// How much an edge so far over the foot's way asks for going ahead or waiting, 0 to 1.
+static float soleAskFor( const soleLegWork* leg, float over )
+{
+	return soleSmoothly( soleSaturate( ( over / leg->length - LEAD_LOW ) / ( LEAD_HIGH - LEAD_LOW ) ) );
+}
+
 float soleFindLead( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way )
 {
-	float over = soleFindHindrance( work, leg, way ) / leg->length;
-	return LEAD * soleSmoothly( soleSaturate( ( over - LEAD_LOW ) / ( LEAD_HIGH - LEAD_LOW ) ) );
+	return LEAD * soleAskFor( leg, soleFindHindrance( work, leg, way ) );
 }
 
 float soleFindWait( const solePlaceWork* work, const soleLegWork* leg, const soleWay* way )
@@ -203,8 +208,7 @@ float soleFindWait( const solePlaceWork* work, const soleLegWork* leg, const sol
 		float away = soleLength( soleHorizontal( work, soleSub( sample->place, way->from ) ) ) - toe;
 		highest = soleMaxF( highest, meets ? sample->height - plane - STEEP * soleMaxF( away, 0.0f ) : 0.0f );
 	}
-	float over = highest / leg->length;
-	return soleSmoothly( soleSaturate( ( over - LEAD_LOW ) / ( LEAD_HIGH - LEAD_LOW ) ) );
+	return soleAskFor( leg, highest );
 }
 
 soleVec3 soleLeadWay( const solePlaceWork* work, const soleLegWork* leg )
