@@ -173,6 +173,23 @@ static void aFootThatPassesItsHipGoesBelow( void** state )
 	assert_true( gates.move.value < 0.16 );
 }
 
+/// A foot in flight went along its way until its leg was stretched, and waited there for the pelvis to come down: knees
+/// snapped straight, 4 times as fast as the clip's on plates.
+static void aFootOnItsWayDownDoesNotSnapItsKnee( void** state )
+{
+	(void)state;
+	assert_true( measure( "T07", "up", true ).kneeRate.value < 3.7 );
+	assert_true( measure( "T11-20", "diagonal", true ).kneeRate.value < 1.4 );
+}
+
+/// The heel of a foot that leaves was lowered at once by a third of its lift: 9 degrees in a frame.
+static void aLiftedHeelIsLoweredSmoothly( void** state )
+{
+	(void)state;
+	assert_true( measure( "T11-30", "up and down", true ).turn.value < 7.5 );
+	assert_true( measure( "T12", "walk", true ).turn.value < 7.5 );
+}
+
 int main( void )
 {
 	const struct CMUnitTest tests[] = {
@@ -189,6 +206,8 @@ int main( void )
 		cmocka_unit_test( heelsThatStandStayDown ),
 		cmocka_unit_test( thePelvisGoesOnWhenAFootLeaves ),
 		cmocka_unit_test( aFootThatPassesItsHipGoesBelow ),
+		cmocka_unit_test( aFootOnItsWayDownDoesNotSnapItsKnee ),
+		cmocka_unit_test( aLiftedHeelIsLoweredSmoothly ),
 	};
 	return cmocka_run_group_tests( tests, setup, teardown );
 }

@@ -103,7 +103,16 @@ static soleBodyFit soleFitBefore( const solePlaceWork* work )
 	return f;
 }
 
-/// By what is known now of a later time: the pelvis has gone on, and who is to be down by then is down.
+/// How much of its next foothold a leg will stand on some time later.
+static float soleFindShare( const soleLegWork* leg, float time )
+{
+	float whole = leg->stepInput.since + leg->stepInput.until;
+	bool flies = leg->planned && whole > 0.0f;
+	float t = flies ? soleSaturate( ( leg->stepInput.since + time ) / whole ) : 0.0f;
+	return flies ? t * t * ( 3.0f - 2.0f * t ) : leg->stand.share;
+}
+
+/// By what is known now of a later time: the pelvis has gone on, and feet on their way.
 static soleBodyFit soleFitAfter( const solePlaceWork* work, soleVec3 travel, float time )
 {
 	soleBodyFit f = soleBeginFit( work, soleAdd( soleGetPelvis( work ), travel ) );
@@ -111,8 +120,7 @@ static soleBodyFit soleFitAfter( const solePlaceWork* work, soleVec3 travel, flo
 	{
 		const soleLegWork* leg = work->legs + i;
 		float say = soleGetSay( work, leg, leg->hasGround, leg->weight );
-		bool down = leg->planned && leg->stepInput.until <= time;
-		soleAddStand( work, &leg->stand, down ? 1.0f : leg->stand.share, say, &f );
+		soleAddStand( work, &leg->stand, soleFindShare( leg, time ), say, &f );
 	}
 	soleEndFit( &f );
 	return f;

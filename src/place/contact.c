@@ -7,7 +7,7 @@
 #include "place/place.h"
 
 #define SETTLED 1e3f // s: longer than any setting
-#define LOWER 0.025f // s, half-life of a heel lift that a foot in flight needs no more
+#define LOWERS 24.0f // 1/s: half of the lift of a heel that has left the ground is over after 0.07 s
 
 /// What decides whether a part of the foot is down.
 typedef struct soleContactLimits
@@ -89,6 +89,15 @@ static void soleSenseContact( const solePlaceWork* work, soleLegWork* leg )
 	state->flags |= toeOn ? (uint32_t)sole_stateToeOn : 0u;
 }
 
+/// What is left, some time later, of the lift of a heel that a foot in flight needs no more: as of a critically damped
+/// spring that was at rest when the foot left, ( 1 + y t ) exp( -y t ) of what it was then.
+static float soleLowerHeel( const soleLegState* state, float time )
+{
+	float now = LOWERS * state->time;
+	float before = soleMaxF( now - LOWERS * time, 0.0f );
+	return state->heelLift * ( 1.0f + now ) / ( 1.0f + before ) * soleExpNegative( now - before );
+}
+
 /// Fades a foot's weight, and what its heel is still lifted by.
 static void soleFadePlanted( const solePlaceWork* work, soleLegWork* leg )
 {
@@ -114,7 +123,7 @@ static void soleFadePlanted( const solePlaceWork* work, soleLegWork* leg )
 		state->plantWeight = soleMaxF( state->plantWeight - step, goal );
 	}
 	bool lowers = down == false && work->first == false && state->heelLift > 0.0f;
-	leg->liftLeft = lowers ? state->heelLift * soleLeftAfter( time, LOWER ) : 0.0f;
+	leg->liftLeft = lowers ? soleLowerHeel( state, time ) : 0.0f;
 }
 
 void soleUpdateContact( solePlaceWork* work )

@@ -344,6 +344,8 @@ void soleChooseFootholds( solePlaceWork* work )
 		bool flew = ( state->flags & sole_statePlanned ) != 0;
 		soleVec3 was = soleSub( state->planePoint_w, work->root_w );
 		soleStand onWay = soleStandOnWay( work, leg );
+		// It has gone the whole of its last way, or knows of none.
+		state->stepTime = leg->touches || work->first ? 1.0f : state->stepTime;
 		leg->planned = false;
 		if ( leg->foreseen && leg->touches == false )
 		{

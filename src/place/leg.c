@@ -13,7 +13,9 @@
 // order costs three digits near full extension.
 //
 // Soft reach. Beyond `soft` the distance approaches `hard` as hard - z exp( -( L - soft ) / z ), z = hard - soft, which
-// leaves the line L = L with slope 1.
+// leaves the line L = L with slope 1. A foot in flight may be further from its way than its leg is long, until the
+// pelvis has come down with it. Its leg approaches its end from where the animation's own ends, or its knee would snap
+// straight and wait.
 //
 // Hanging. Drawn towards its hip, a foot that stands would slide: so it goes straight up from its place, until the leg
 // is as long as it may be. With h the level part of d1 its ankle is  sqrt( L^2 - h^2 )  under the hip.
@@ -43,9 +45,11 @@
 #define EASE 0.15f  // of the cosine of the heel lift
 #define STANDS 0.6f // cosine of a leg's lean up to which a foot is not drawn in
 #define LEANS 0.3f
-#define HIGH 0.3f     // L over the hip: a foot animated so high has no business below it
-#define ROOM 1.15f    // times the shortest leg
-#define ON_HEEL 0.05f // L: a ball that is animated this much higher than the heel is not on the ground
+#define HIGH 0.3f         // L over the hip: a foot animated so high has no business below it
+#define ROOM 1.15f        // times the shortest leg
+#define FLIGHT_ZONE 0.15f // L over which a leg in flight approaches its end
+#define ARRIVES 0.7f      // share of its time from which on that is ever less
+#define ON_HEEL 0.05f     // L: a ball that is animated this much higher than the heel is not on the ground
 
 // ------------------------------------------------------------------------------------------------------- two bones
 
@@ -238,6 +242,15 @@ static soleQuat soleShareTwist( const solePlaceWork* work, const soleLegWork* le
 	return soleNlerp( soleQuat_Identity(), twist, share );
 }
 
+/// Over what length a foot on its way to a foothold approaches its leg's end: from where the animation's own leg ends
+/// on, and less and less as it arrives.
+static float soleFindFlightZone( const soleLegWork* leg, float hard )
+{
+	float left = 1.0f - soleSmoothly( soleSaturate( ( leg->state->stepTime - ARRIVES ) / ( 1.0f - ARRIVES ) ) );
+	float share = left * ( 1.0f - leg->state->plantWeight );
+	return soleMinF( share * FLIGHT_ZONE * leg->length, hard - soleAnimatedReach( leg ) );
+}
+
 /// Where a foot goes that stands on what its leg does not quite reach: over its place, not towards the hip, or it would
 /// slide. Legs that lean so far that this takes it high up draw it in all the same.
 static soleVec3 soleHangOver( const solePlaceWork* work, const soleLegWork* leg, float reached )
@@ -308,7 +321,7 @@ void soleReadyLeg( const solePlaceWork* work, soleLegWork* leg, soleTwoBoneDef* 
 	float bones = soleDistance( def->hip, def->knee ) + soleDistance( def->knee, def->ankle );
 	float perBone = bones > 0.0f ? stretch / bones : 0.0f;
 	def->reach = soleMinF( reach.hard * perBone, 1.0f );
-	def->softZone = reach.hard - reach.soft;
+	def->softZone = soleMaxF( reach.hard - reach.soft, soleFindFlightZone( leg, reach.hard ) );
 	if ( soleHoldsFeet( work ) )
 	{
 		soleGuideFoot( work, leg, stretch * reach.hard, def );

@@ -131,9 +131,10 @@ static soleBounds soleFindBounds( const solePlaceWork* work, float over )
 		float ceiling = soleFindCeiling( work, leg, reach.soft, raised * work->settings->pelvis.heelFirst ) + slack;
 		float longest = reach.soft + begun * ( reach.hard - reach.soft );
 		float most = soleFindCeiling( work, leg, longest, raised ) + slack;
-		if ( leg->planted && !( begun > 0.0f ) )
+		if ( leg->planted )
 		{
-			ceiling = soleMinF( ceiling, soleFindLaterCeiling( work, leg, reach.soft ) + slack );
+			float later = soleFindLaterCeiling( work, leg, reach.soft ) + slack;
+			ceiling += ( 1.0f - begun ) * soleMinF( later - ceiling, 0.0f );
 		}
 		float floor = soleOffsetFor( work, leg, leg->ankleTarget, shortest ) - slack;
 		if ( leg->planned )
@@ -253,9 +254,11 @@ static void soleFollow( solePlaceWork* work, soleBounds bounds, float goal, floa
 	// A body in the air goes with its root.
 	most = bounds.any ? most : FREE * legLength;
 	float carried = soleClampF( soleGroundStep( work ), -CARRIED * most, CARRIED * most );
-	float step = soleClampF( bound - start, -most - carried, most - carried );
+	float wanted = bound - start;
+	float step = soleClampF( wanted, -most - carried, most - carried );
+	bool free = bound == spring.value && step == wanted;
 	state->pelvis.value = start + step;
-	state->pelvis.velocity = start + step == spring.value ? spring.velocity : step / work->timeStep;
+	state->pelvis.velocity = free ? spring.velocity : step / work->timeStep;
 }
 
 // --------------------------------------------------------------------------------------------------------- sideways

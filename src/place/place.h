@@ -372,9 +372,14 @@ typedef struct soleReach
 	float hard;
 } soleReach;
 
+static inline float soleAnimatedReach( const soleLegWork* leg )
+{
+	return soleMinF( soleDistance( leg->joints[0], leg->ankle ), leg->length );
+}
+
 static inline soleReach soleGetReach( const solePlaceWork* work, const soleLegWork* leg )
 {
-	float animated = soleMinF( soleDistance( leg->joints[0], leg->ankle ), leg->length );
+	float animated = soleAnimatedReach( leg );
 	float hard = soleMaxF( work->settings->leg.reach * leg->length, animated );
 	float soft = soleMaxF( hard - work->settings->leg.softZone * leg->length, animated );
 	return ( soleReach ){ soft, hard };

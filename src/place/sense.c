@@ -105,13 +105,14 @@ static void soleSenseFoot( solePlaceWork* work, soleLegWork* leg )
 	    : soleMaxF( -tip - leg->sunk, 0.0f ) / soleMaxF( toeLength, 0.01f * leg->length );
 }
 
-/// Horizontal velocity of a sole point since the last frame, and its speed with the change of its height.
+/// Horizontal velocity of a sole point since the last frame, and its speed with the change of its height. In a frame
+/// of no length it is as fast as it was.
 static soleVec3 soleSoleVelocity(
     const solePlaceWork* work, soleVec3 now, soleVec3 before_w, float climb, float* speed )
 {
 	if ( work->first || !( work->timeStep > 0.0f ) )
 	{
-		*speed = 0.0f;
+		*speed = work->first ? 0.0f : *speed;
 		return soleVec( 0.0f, 0.0f, 0.0f );
 	}
 	float perSecond = 1.0f / work->timeStep;
@@ -127,6 +128,8 @@ void soleSenseSpeed( const solePlaceWork* work, soleLegWork* leg )
 	if ( leg->usable )
 	{
 		const soleLegState* state = leg->state;
+		leg->heelSpeed = state->heelSpeed;
+		leg->ballSpeed = state->ballSpeed;
 		leg->heelVelocity =
 		    soleSoleVelocity( work, leg->heel, state->animHeel_w, leg->heelRise - state->heelRise, &leg->heelSpeed );
 		leg->ballVelocity =
