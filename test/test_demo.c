@@ -33,10 +33,10 @@ enum
 };
 
 static const testFigure testFigures[test_figureCount] = {
-	{ "penetration p95, mm", 100.3, 4.361 },
-	{ "hover p95, mm", 34.75, 0.03654 },
-	{ "slide, cm/s", 3.018, 0.3284 },
-	{ "knee acceleration RMS, ratio to flat ground", 1.000, 1.351 },
+	{ "penetration p95, mm", 100.3, 3.406 },
+	{ "hover p95, mm", 34.75, 0.2624 },
+	{ "slide, cm/s", 3.018, 0.3426 },
+	{ "knee acceleration RMS, ratio to flat ground", 1.000, 1.243 },
 	{ "pelvis, largest step of a frame, mm", 173.0, 17.93 },
 };
 
@@ -321,7 +321,7 @@ static void theLibraryHasTheSameBits( void** state )
 	soleDestroyRig( biped.rig );
 	// It is a walk.
 	assert_in_range( planted, frames / 5, frames * 4 / 5 );
-	testCheckHash( "the library", hash, 0xfb7fd8cbd1c61437ull );
+	testCheckHash( "the library", hash, 0xbf848b4b27fcde70ull );
 }
 
 int main( void )

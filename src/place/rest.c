@@ -81,8 +81,12 @@ static void soleFindPoints(
 		soleVec3 from = soleSub( sample->place, print.ball );
 		float u = soleDot( from, print.forward );
 		float v = soleDot( from, print.side );
+		// An end of the sole is known where something was asked near it, or beyond.
+		uint32_t isBeside = ( v > left ) & ( v < right );
+		nearHeel |= isBeside & ( u < heel + margin );
+		nearToe |= isBeside & ( u > toe - margin );
 		// Where places lie cannot be foretold: one branch for all four limits.
-		if ( ( ( u > heel - margin ) & ( u < toe + margin ) & ( v > left ) & ( v < right ) ) == 0 )
+		if ( ( isBeside & ( u > heel - margin ) & ( u < toe + margin ) ) == 0 )
 		{
 			continue;
 		}
@@ -91,8 +95,6 @@ static void soleFindPoints(
 		uint32_t isAhead = u > 0.1f * toe;
 		askedUnder += (int32_t)isUnder;
 		askedAhead += (int32_t)( isUnder & isAhead );
-		nearHeel |= u < heel + 2.0f * margin;
-		nearToe |= u > toe - 2.0f * margin;
 		if ( sample->found )
 		{
 			found->u[count] = u - loadAhead;
