@@ -58,11 +58,12 @@ static inline const char* testPath( const char* name, char path[1024] )
 		}                                                                                                              \
 	} while ( 0 )
 
-static inline void testScaleGround( toolGroundSource* ground, float scale )
+static inline void testStretchGround( toolGroundSource* ground, float x, float y, float z )
 {
+	const float factors[] = { x, y, z };
 	for ( int32_t i = 0; i < 3 * ground->mesh.vertexCount; ++i )
 	{
-		ground->mesh.positions[i] *= scale;
+		ground->mesh.positions[i] *= factors[i % 3];
 	}
 	soleDestroyGround( ground->ground );
 	soleGroundMesh mesh = soleDefaultGroundMesh();
@@ -103,7 +104,7 @@ static inline void testOpenTake( const testBake* bake, testTake* take )
 	TEST_GOOD( toolOpenGround( testPath( bake->ground, path ), &take->ground, &error ), error );
 	if ( bake->groundScale > 0.0f )
 	{
-		testScaleGround( &take->ground, bake->groundScale );
+		testStretchGround( &take->ground, bake->groundScale, bake->groundScale, bake->groundScale );
 	}
 	TEST_GOOD( toolMakeTerrain( &take->ground, &take->terrain, &error ), error );
 }
