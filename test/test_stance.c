@@ -199,6 +199,24 @@ static void footholdsAreChosenWhereBothEndsOfASoleAreKnown( void** state )
 	assert_true( measure( "T11-20", "up and down", true ).swingDepth.value < 8e-3 );
 }
 
+/// While one foot stepped over the other waited until its lock was torn, and slid back over the ground: 27 mm a frame.
+static void aFootThatIsTurnedTooFarToWaitStepsOver( void** state )
+{
+	(void)state;
+	assert_true( measure( "T01", "T39 round in 2.0", true ).move.value < 14e-3 );
+	assert_true( measure( "T01", "T39 to and fro", true ).move.value < 20e-3 );
+}
+
+/// Where a character appeared the ground was read once more in the second frame, for feet that were tilted by then: on
+/// boxes they moved by 38 mm and turned by 17 degrees.
+static void feetStandAtOnceWhereACharacterAppears( void** state )
+{
+	(void)state;
+	testGates gates = measure( "T17", "stand", true );
+	assert_true( gates.move.value < 5e-3 );
+	assert_true( gates.slide.value < 1e-3 );
+}
+
 int main( void )
 {
 	const struct CMUnitTest tests[] = {
@@ -218,6 +236,8 @@ int main( void )
 		cmocka_unit_test( aFootOnItsWayDownDoesNotSnapItsKnee ),
 		cmocka_unit_test( aLiftedHeelIsLoweredSmoothly ),
 		cmocka_unit_test( footholdsAreChosenWhereBothEndsOfASoleAreKnown ),
+		cmocka_unit_test( aFootThatIsTurnedTooFarToWaitStepsOver ),
+		cmocka_unit_test( feetStandAtOnceWhereACharacterAppears ),
 	};
 	return cmocka_run_group_tests( tests, setup, teardown );
 }

@@ -93,7 +93,8 @@ static void soleComeDown( solePlaceWork* work, soleLegWork* leg, bool foreseen )
 		leg->raw = soleMakePlane( work, point, chosen.gradient );
 		leg->toeSlope = 0.0f;
 	}
-	if ( locked )
+	// In the first frame all is read closely: it is final.
+	if ( locked || work->first )
 	{
 		soleSettleOn( work, leg );
 	}

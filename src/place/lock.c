@@ -17,7 +17,6 @@
 
 #define AHEAD 3.0f    // L/s: fastest that a foot goes ahead of the animation
 #define AT_REST 0.06f // L/s: a foot that comes down slower than this has come to rest
-#define PATIENCE 2.0f // times the strain at which a lock is given up, while the foot waits to step over
 #define SHORT 0.1f    // L: a leg whose foot can't come nearer than this to where it is held gives up
 
 /// The turn about up that takes one heading to another.
@@ -301,7 +300,7 @@ static void soleUpdateLock( solePlaceWork* work, soleLegWork* leg )
 	{
 		soleKeepLock( work, leg );
 		float strain = soleFindStrain( work, leg );
-		bool strained = strain > ( leg->waits ? PATIENCE : 1.0f ) || state->shortfall > SHORT;
+		bool strained = ( strain > 1.0f && leg->waits == false ) || state->shortfall > SHORT;
 		if ( possible == false || strained )
 		{
 			state->flags |= strained ? (uint32_t)sole_stateBarred : 0u;

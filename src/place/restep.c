@@ -4,14 +4,15 @@
 // A character that turns on the spot, is pushed or comes to a stop is left with feet that stand where the animation no
 // longer has them. Where the body hardly moves, such a foot steps over to the animation: at once when its lock is
 // strained, else when it has been further off than a smallest step for some time. One foot at a time, and not so soon
-// after another; the flight is that of a foreseen step, with a lift of its own. While the body travels, strained locks
-// are given up instead: the next step of the gait is near.
+// after another, but for one that is strained too far to wait; the flight is that of a foreseen step, with a lift of
+// its own. While the body travels, strained locks are given up instead: the next step of the gait is near.
 #include "place/place.h"
 
-#define SLOW 0.35f  // L/s: a body that travels slower stands
-#define PACE 0.6f   // L/s: a long step takes longer
-#define APART 0.15f // s between two such steps
-#define LEAST 0.02f // s: a step is no shorter
+#define SLOW 0.35f    // L/s: a body that travels slower stands
+#define PACE 0.6f     // L/s: a long step takes longer
+#define APART 0.15f   // s between two such steps
+#define LEAST 0.02f   // s: a step is no shorter
+#define PATIENCE 1.3f // times the strain at which a lock is given up: so far a foot waits for another one
 
 /// How far a held foot is from the animation, beyond what it was when it came to be held.
 static float soleFindStray( const solePlaceWork* work, const soleLegWork* leg )
@@ -33,6 +34,14 @@ static bool soleIsTurned( const solePlaceWork* work, const soleLegWork* leg, flo
 	return soleDot( heading, leg->forward ) < limit.c * limit.c - limit.s * limit.s;
 }
 
+/// Is it off by so many times what a lock stands?
+static bool soleIsStrained( const solePlaceWork* work, const soleLegWork* leg, float times )
+{
+	const soleSettings* s = work->settings;
+	return soleFindStray( work, leg ) > times * s->contact.lockDistance * leg->length ||
+	    soleIsTurned( work, leg, times * s->contact.lockAngle );
+}
+
 /// Does the foot want to step over now?
 static bool soleWantsStep( const solePlaceWork* work, soleLegWork* leg )
 {
@@ -48,8 +57,7 @@ static bool soleWantsStep( const solePlaceWork* work, soleLegWork* leg )
 	float stray = soleFindStray( work, leg );
 	bool off = stray > s->contact.replantDistance * leg->length || soleIsTurned( work, leg, s->contact.replantAngle );
 	state->strayTime = off ? state->strayTime + work->timeStep : 0.0f;
-	bool strained = stray > s->contact.lockDistance * leg->length || soleIsTurned( work, leg, s->contact.lockAngle );
-	return strained || ( off && state->strayTime > s->contact.replantAfter );
+	return soleIsStrained( work, leg, 1.0f ) || ( off && state->strayTime > s->contact.replantAfter );
 }
 
 /// Is another foot in the air, or has just stepped over?
@@ -79,7 +87,7 @@ void soleTakeResteps( solePlaceWork* work )
 		soleLegState* state = leg->state;
 		state->restep = soleMaxF( state->restep - work->timeStep, -APART );
 		bool wants = soleWantsStep( work, leg );
-		leg->waits = wants && soleIsBusy( work, leg );
+		leg->waits = wants && soleIsBusy( work, leg ) && soleIsStrained( work, leg, PATIENCE ) == false;
 		if ( wants && leg->waits == false )
 		{
 			float time = soleMaxF( work->settings->contact.replantTime, LEAST );
