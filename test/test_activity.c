@@ -252,6 +252,43 @@ static void withSharesOfOneNothingIsDifferentToTheBit( void** state )
 	testEndRun( runs + 1 );
 }
 
+/// Whoever jumps or falls, and whose clip has no foot down, goes with the root: the body stayed on the ground through a
+/// jump of 0.78 m, and came down from a fall at the pelvis' own speed.
+static void aBodyInTheAirGoesWithItsRoot( void** state )
+{
+	(void)state;
+	static testRun run;
+	soleContactInput none[2] = { { 0.0f, 0.0f }, { 0.0f, 0.0f } };
+	soleContactInput both[2] = { { 1.0f, 1.0f }, { 1.0f, 1.0f } };
+	const float rates[] = { 30.0f, 60.0f, 144.0f };
+	for ( int32_t k = 0; k < 3; ++k )
+	{
+		testStartRun( &run, 0.5f );
+		run.frame.timeStep = 1.0f / rates[k];
+		run.frame.contact = both;
+		go( &run, 0.0f, 1.0f );
+		float furthest = 0.0f;
+		// A jump, 0.8 s from the ground to the ground.
+		for ( int32_t i = 1; (float)i < 0.8f * rates[k]; ++i )
+		{
+			float time = (float)i / rates[k];
+			run.frame.contact = none;
+			run.frame.root.translation.y = 0.5f * 9.81f * time * ( 0.8f - time );
+			testStepRun( &run );
+			float ankle = testPlacedJoint( &run, biped_ankleL ).translation.y;
+			float off = fabsf( ankle - testAnimatedJoint( &run, biped_ankleL ).translation.y );
+			off = fmaxf( off, fabsf( run.out.pelvisOffset_w.y ) );
+			furthest = fmaxf( furthest, run.frame.root.translation.y > 0.3f ? off : 0.0f );
+		}
+		assert_true( furthest < 0.04f );
+		run.frame.contact = both;
+		run.frame.root.translation.y = 0.0f;
+		testStepRun( &run );
+		assert_true( fabsf( run.out.pelvisOffset_w.y ) < 0.04f );
+		testEndRun( &run );
+	}
+}
+
 int main( void )
 {
 	const struct CMUnitTest tests[] = {
@@ -264,6 +301,7 @@ int main( void )
 		cmocka_unit_test( aWalkIsNeverInTheAir ),
 		cmocka_unit_test( theFlightOfARunIsNoJump ),
 		cmocka_unit_test( withSharesOfOneNothingIsDifferentToTheBit ),
+		cmocka_unit_test( aBodyInTheAirGoesWithItsRoot ),
 	};
 	return cmocka_run_group_tests( tests, NULL, NULL );
 }

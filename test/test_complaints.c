@@ -14,18 +14,18 @@ static const struct
 	int number;
 	const char* figures; // when it was listed
 } s_notYet[] = {
-	{ 1, "T03 1.40 ramped: G4 236.7, deg 63.14, and 11 more" },
-	{ 8, "T11-45 up and down: er 119.7, and 3 more" },
-	{ 9, "T24 turn at the edge: G4 28.21, deg 5.776, ov 0.45, and 2 more" },
-	{ 12, "T30 stand: G1 7.377, and 1 more" },
-	{ 17, "T02 T47 root at 10 Hz: G1 14.44, G4 45.03, deg 26.95, and 3 more" },
-	{ 18, "T02 T33 jump unlabelled: G4 39.54, deg 12.42, and 1 more" },
-	{ 22, "T01 T42 bend: G4 53.94, deg 24.55, and 7 more" },
-	{ 28, "T04 walk 45: G2 19.5, sw 71.09, G4 43.2, deg 20.99, and 4 more" },
-	{ 29, "T02 1.04 ramped: G2 0.2222, sw 71.58, G3 9.103, G4 47.77, deg 14.17, and 2 more" },
-	{ 31, "T44 turning at 240 Hz: 86.89 mm, and 14 more" },
-	{ 32, "T01 T42 bend: G4 53.94, deg 24.55, and 1 more" },
-	{ 33, "T01 T41 run, stop unlabelled: G2 0.06265, sw 37.47, and 1 more" },
+	{ 1, "T03 1.40 ramped: G4 148.8, deg 32.9, and 11 more" },
+	{ 8, "T11-45 up and down: er 98.93, and 1 more" },
+	{ 9, "T13 both ways end in one pose: 16.13 mm, and 2 more" },
+	{ 12, "T30 stand: G1 2.864, and 1 more" },
+	{ 17, "T02 T47 root at 10 Hz: G4 60.83, deg 13.32, and 1 more" },
+	{ 18, "T11-20 T33 jump unlabelled: G4 27.92, deg 2.231, and 1 more" },
+	{ 22, "T02 0.52 stepped: G4 32.71, deg 0.5641, and 6 more" },
+	{ 28, "T04 walk 30: G2 7.194, sw 46.63, G4 49.81, deg 12.38, and 3 more" },
+	{ 29, "T02 0.52 ramped: G2 0.6881, sw 15.91, G4 30.61, deg 0.5641, and 2 more" },
+	{ 31, "T44 stairs at 30 Hz: 20.63 mm, and 13 more" },
+	{ 32, "T11-20 T42 sprint: G4 43.43, deg 14.15" },
+	{ 33, "T01 T41 run, stop unlabelled: G2 0.02853, sw 12.74" },
 };
 
 /// Compares with the list.

@@ -561,7 +561,7 @@ typedef struct soleState
 typedef enum soleLegFlags
 {
 	sole_legPlanted = 1 << 0,      // the foot is locked to the ground
-	sole_legNoGround = 1 << 1,     // no probe of this foot met anything
+	sole_legNoGround = 1 << 1,     // no probe of this foot met anything, or the character jumps or falls
 	sole_legTooSteep = 1 << 2,     // the ground is steeper than maxSlope
 	sole_legOnEdge = 1 << 3,       // part of the sole hangs over a lower level
 	sole_legSoftened = 1 << 4,     // the soft reach limit was touched

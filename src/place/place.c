@@ -165,6 +165,7 @@ static void soleHoldFeet( solePlaceWork* work )
 	soleLearnSteps( work );
 	SOLE_STAGE_END( "contact" );
 	soleTakeResteps( work );
+	soleTakeOff( work );
 	soleChooseFootholds( work );
 	SOLE_STAGE_END( "foothold" );
 	soleUpdateLocks( work );

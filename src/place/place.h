@@ -32,6 +32,7 @@ enum
 	sole_stateAsleep = 1 << 15,  // one probe was asked for
 	sole_stateRunning = 1 << 16, // what the character does, the same in all legs
 	sole_stateAirborne = 1 << 17,
+	sole_stateAloft = 1 << 18, // it jumps or falls
 };
 
 /// What the ground is like at one place that was asked for.
@@ -473,9 +474,11 @@ void soleFindActivity( solePlaceWork* work );
 void soleLearnSteps( solePlaceWork* work );
 /// Feet that stand but have been left behind step over.
 void soleTakeResteps( solePlaceWork* work );
-/// Where the next step lands, and the plane that the foot follows on its way.
+/// A body that jumps or falls has no ground.
+void soleTakeOff( solePlaceWork* work );
 /// How many probes look for narrow things on the way of a foot.
 int32_t soleGetLookCount( const soleSettings* settings );
+/// Where the next step lands, and the plane that the foot follows on its way.
 void soleChooseFootholds( solePlaceWork* work );
 /// Held where.
 void soleUpdateLocks( solePlaceWork* work );

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Aloft: a body that jumps or falls goes with its root, and its feet go with it.
+//
+// The ground is met long before it is reached, and goes on to be met long after it was left. Placed on it all the same,
+// a body would stay down when its root leaps, and hang in the air at the pelvis' own speed when that falls. So while no
+// foot is down there is no ground, from when all that was met is far below every sole, until some of it is near. A foot
+// that is foreseen to land looks where it will: the ground there may be as far below as a step down, and more.
+#include "place/place.h"
+
+#include <float.h>
+
+#define LEAVES 0.1f   // L over all that was met
+#define FORESEEN 0.4f // L: the same where a foot is foreseen to land
+#define LANDS 0.05f   // L
+
+/// How far the lowest of an animated sole is over the highest of what was met.
+static float soleFindClearance( const solePlaceWork* work, const soleLegWork* leg )
+{
+	float highest = -FLT_MAX;
+	for ( int32_t i = 0; i < leg->sampleCount; ++i )
+	{
+		highest = leg->samples[i].found ? soleMaxF( highest, leg->samples[i].height ) : highest;
+	}
+	soleVec3 lowest = leg->heelRise < leg->ballRise ? leg->heel : leg->ball;
+	return soleDot( lowest, work->up ) - highest;
+}
+
+/// Does a leg let its body go, that was aloft or not?
+static bool soleLetsGo( const solePlaceWork* work, const soleLegWork* leg, bool was )
+{
+	if ( leg->usable == false || leg->touches || leg->sampleCount == 0 )
+	{
+		// One that asked for nothing in this frame knows nothing new.
+		return leg->usable == false || ( leg->touches == false && was );
+	}
+	float least = was ? LANDS : ( leg->foreseen ? FORESEEN : LEAVES );
+	return soleFindClearance( work, leg ) > least * leg->length;
+}
+
+static void soleLeaveGround( const solePlaceWork* work, soleLegWork* leg )
+{
+	soleVec3 under = soleAtHeight( work, leg->soleCenter, work->reference );
+	leg->raw = soleMakePlane( work, under, soleVec( 0.0f, 0.0f, 0.0f ) );
+	leg->toeSlope = 0.0f;
+	leg->hasGround = leg->foreseen = false;
+	leg->state->flags &= ~(uint32_t)( sole_statePlanned | sole_stateForeseen );
+}
+
+void soleTakeOff( solePlaceWork* work )
+{
+	bool was = true, aloft = work->first == false && work->legCount > 0;
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		was = was && ( work->legs[i].state->flags & sole_stateAloft ) != 0;
+	}
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		aloft = aloft && soleLetsGo( work, work->legs + i, was );
+	}
+	for ( int32_t i = 0; i < work->legCount; ++i )
+	{
+		soleLegWork* leg = work->legs + i;
+		leg->state->flags &= ~(uint32_t)sole_stateAloft;
+		leg->state->flags |= aloft ? (uint32_t)sole_stateAloft : 0u;
+		if ( aloft && leg->usable )
+		{
+			soleLeaveGround( work, leg );
+		}
+	}
+}
