@@ -3,20 +3,25 @@
 //
 // The ground is met long before it is reached, and goes on to be met long after it was left. Placed on it all the same,
 // a body would stay down when its root leaps, and hang in the air at the pelvis' own speed when that falls. So while no
-// foot is down there is no ground, from when all that was met is far below every sole, until some of it is near. A foot
-// that is foreseen to land looks where it will: the ground there may be as far below as a step down, and more.
+// foot is down there is no ground, from when all that was met is far below every sole, until some of it is near.
+// Whoever walks or runs flies between steps, over roots that jump from tread to tread: then it has to be further below.
 #include "place/place.h"
 
 #include <float.h>
 
-#define LEAVES 0.1f   // L over all that was met
-#define FORESEEN 0.4f // L: the same where a foot is foreseen to land
-#define LANDS 0.05f   // L
+#define LEAVES 0.1f // L over all that was met
+#define STEPS 0.4f  // L: the same of one that walks or runs
+#define STRIDE 0.4f // L/s: a root that is slower does not
+#define LANDS 0.05f // L
 
-/// How far the lowest of an animated sole is over the highest of what was met.
-static float soleFindClearance( const solePlaceWork* work, const soleLegWork* leg )
+/// How far the lowest of an animated sole is over the highest of what was met, or of both ends of the way that it is
+/// on.
+static float soleFindClearance( const solePlaceWork* work, const soleLegWork* leg, bool planned )
 {
-	float highest = -FLT_MAX;
+	const soleLegState* state = leg->state;
+	float from = soleDot( soleSub( state->planePoint_w, work->root_w ), work->up );
+	float to = soleDot( soleSub( state->stepPlace_w, work->root_w ), work->up );
+	float highest = planned ? soleMaxF( from, to ) : -FLT_MAX;
 	for ( int32_t i = 0; i < leg->sampleCount; ++i )
 	{
 		highest = leg->samples[i].found ? soleMaxF( highest, leg->samples[i].height ) : highest;
@@ -28,13 +33,15 @@ static float soleFindClearance( const solePlaceWork* work, const soleLegWork* le
 /// Does a leg let its body go, that was aloft or not?
 static bool soleLetsGo( const solePlaceWork* work, const soleLegWork* leg, bool was )
 {
-	if ( leg->usable == false || leg->touches || leg->sampleCount == 0 )
+	bool planned = ( leg->state->flags & sole_statePlanned ) != 0;
+	if ( leg->usable == false || leg->touches || ( leg->sampleCount == 0 && planned == false ) )
 	{
 		// One that asked for nothing in this frame knows nothing new.
 		return leg->usable == false || ( leg->touches == false && was );
 	}
-	float least = was ? LANDS : ( leg->foreseen ? FORESEEN : LEAVES );
-	return soleFindClearance( work, leg ) > least * leg->length;
+	bool steps = leg->foreseen || work->rootSpeed > STRIDE * leg->length;
+	float least = was ? LANDS : ( steps ? STEPS : LEAVES );
+	return soleFindClearance( work, leg, planned ) > least * leg->length;
 }
 
 static void soleLeaveGround( const solePlaceWork* work, soleLegWork* leg )
