@@ -14,8 +14,7 @@
 #define STRIDE 0.4f // L/s: a root that is slower does not
 #define LANDS 0.05f // L
 
-/// How far the lowest of an animated sole is over the highest of what was met, or of both ends of the way that it is
-/// on.
+/// How far the lowest of an animated sole is over the highest of what was met, or of both ends of its way.
 static float soleFindClearance( const solePlaceWork* work, const soleLegWork* leg, bool planned )
 {
 	const soleLegState* state = leg->state;
@@ -50,7 +49,6 @@ static void soleLeaveGround( const solePlaceWork* work, soleLegWork* leg )
 	leg->raw = soleMakePlane( work, under, soleVec( 0.0f, 0.0f, 0.0f ) );
 	leg->toeSlope = 0.0f;
 	leg->hasGround = leg->foreseen = false;
-	leg->state->flags &= ~(uint32_t)( sole_statePlanned | sole_stateForeseen );
 }
 
 void soleTakeOff( solePlaceWork* work )

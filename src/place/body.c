@@ -108,8 +108,7 @@ static float soleFindShare( const soleLegWork* leg, float time )
 {
 	float whole = leg->stepInput.since + leg->stepInput.until;
 	bool flies = leg->planned && whole > 0.0f;
-	float t = flies ? soleSaturate( ( leg->stepInput.since + time ) / whole ) : 0.0f;
-	return flies ? t * t * ( 3.0f - 2.0f * t ) : leg->stand.share;
+	return flies ? soleGently( soleSaturate( ( leg->stepInput.since + time ) / whole ) ) : leg->stand.share;
 }
 
 /// By what is known now of a later time: the pelvis has gone on, and feet on their way.

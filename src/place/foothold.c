@@ -293,7 +293,7 @@ static soleStand soleStandOnWay( const solePlaceWork* work, const soleLegWork* l
 	float time = soleShareOfTime( leg );
 	soleVec3 from = soleSub( leg->state->planePoint_w, work->root_w );
 	soleVec3 to = soleSub( leg->state->stepPlace_w, work->root_w );
-	return ( soleStand ){ from, to, time, time * time * ( 3.0f - 2.0f * time ) };
+	return ( soleStand ){ from, to, time, soleGently( time ) };
 }
 
 static soleStand soleStandOnPlane( const solePlaceWork* work, soleVec3 place, solePlane plane )

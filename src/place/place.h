@@ -329,6 +329,12 @@ static inline float soleSmoothly( float t )
 	return t * t * t * ( 10.0f - t * ( 15.0f - 6.0f * t ) );
 }
 
+/// The same, less slow at its ends: 3 t^2 - 2 t^3.
+static inline float soleGently( float t )
+{
+	return t * t * ( 3.0f - 2.0f * t );
+}
+
 static inline float soleLongestLeg( const solePlaceWork* work )
 {
 	float longest = 0.0f;
@@ -373,6 +379,7 @@ typedef struct soleReach
 	float hard;
 } soleReach;
 
+/// How long the animation has the leg.
 static inline float soleAnimatedReach( const soleLegWork* leg )
 {
 	return soleMinF( soleDistance( leg->joints[0], leg->ankle ), leg->length );

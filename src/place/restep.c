@@ -35,10 +35,10 @@ static bool soleIsTurned( const solePlaceWork* work, const soleLegWork* leg, flo
 }
 
 /// Is it off by so many times what a lock stands?
-static bool soleIsStrained( const solePlaceWork* work, const soleLegWork* leg, float times )
+static bool soleIsStrained( const solePlaceWork* work, const soleLegWork* leg, float stray, float times )
 {
 	const soleSettings* s = work->settings;
-	return soleFindStray( work, leg ) > times * s->contact.lockDistance * leg->length ||
+	return stray > times * s->contact.lockDistance * leg->length ||
 	    soleIsTurned( work, leg, times * s->contact.lockAngle );
 }
 
@@ -57,7 +57,7 @@ static bool soleWantsStep( const solePlaceWork* work, soleLegWork* leg )
 	float stray = soleFindStray( work, leg );
 	bool off = stray > s->contact.replantDistance * leg->length || soleIsTurned( work, leg, s->contact.replantAngle );
 	state->strayTime = off ? state->strayTime + work->timeStep : 0.0f;
-	return soleIsStrained( work, leg, 1.0f ) || ( off && state->strayTime > s->contact.replantAfter );
+	return soleIsStrained( work, leg, stray, 1.0f ) || ( off && state->strayTime > s->contact.replantAfter );
 }
 
 /// Is another foot in the air, or has just stepped over?
@@ -87,11 +87,12 @@ void soleTakeResteps( solePlaceWork* work )
 		soleLegState* state = leg->state;
 		state->restep = soleMaxF( state->restep - work->timeStep, -APART );
 		bool wants = soleWantsStep( work, leg );
-		leg->waits = wants && soleIsBusy( work, leg ) && soleIsStrained( work, leg, PATIENCE ) == false;
+		float stray = wants ? soleFindStray( work, leg ) : 0.0f;
+		leg->waits = wants && soleIsBusy( work, leg ) && soleIsStrained( work, leg, stray, PATIENCE ) == false;
 		if ( wants && leg->waits == false )
 		{
 			float time = soleMaxF( work->settings->contact.replantTime, LEAST );
-			float far = soleFindStray( work, leg ) / ( PACE * leg->length );
+			float far = stray / ( PACE * leg->length );
 			state->restep = soleClampF( far, time, 2.0f * time );
 			state->restepTime = state->restep;
 			state->strayTime = 0.0f;

@@ -89,7 +89,7 @@ solePlane soleFollowWay( const solePlaceWork* work, const soleLegWork* leg, cons
 {
 	float s = soleShareOfWay( work, leg, way, place );
 	float t = soleShareOfTime( leg );
-	float smooth = t * t * ( 3.0f - 2.0f * t );
+	float smooth = soleGently( t );
 	soleVec3 gradient = soleLerp( way->fromGradient, way->toGradient, smooth );
 	soleVec3 chord = soleLerp( way->from, way->to, s );
 	float height = soleDot( chord, work->up ) + soleLiftAt( way->lift, s );
